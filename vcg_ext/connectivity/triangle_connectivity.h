@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace curvdecim {
+
+using Face = std::array<int, 3>;
+
+/// Faces and, for every vertex, the list of the faces around it. The lists lie in one pool; a list
+/// that outgrows its room moves to the pool's end with room to double, so that a vertex that
+/// swallows thousands of neighbours costs amortised constant time and memory.
+class TriangleConnectivity {
+ public:
+  /// The faces around one vertex; valid until the next collapse.
+  struct FaceRange {
+    const int* first;
+    const int* last;
+    const int* begin() const { return first; }
+    const int* end() const { return last; }
+    int size() const { return static_cast<int>(last - first); }
+  };
+
+  TriangleConnectivity() = default;
+
+  /// faces: (F, 3) indices below vertex_count, no index twice in a face.
+  TriangleConnectivity(std::vector<Face> faces, int vertex_count)
+      : faces_(std::move(faces)), lists_(vertex_count), face_count_(static_cast<int>(faces_.size())) {
+    for (const Face& face : faces_)
+      for (int v : face) ++lists_[v].capacity;
+    int end = 0;
+    for (List& list : lists_) {
+      list.begin = end;
+      end += list.capacity;
+      vertex_count_ += list.capacity > 0;
+    }
+    pool_.resize(end);
+    for (int f = 0; f < face_slots(); ++f)
+      for (int v : faces_[f]) append(lists_[v], f);
+  }
+
+  /// Slots, dead ones included.
+  int face_slots() const { return static_cast<int>(faces_.size()); }
+  int vertex_slots() const { return static_cast<int>(lists_.size()); }
+
+  /// Living faces; vertices with a face.
+  int face_count() const { return face_count_; }
+  int vertex_count() const { return vertex_count_; }
+
+  bool alive(int face) const { return faces_[face][0] >= 0; }
+  const Face& face(int f) const { return faces_[f]; }
+
+  FaceRange faces_of(int v) const {
+    const List& list = lists_[v];
+    return {pool_.data() + list.begin, pool_.data() + list.begin + list.size};
+  }
+
+  /// 0, 1 or 2: where v stands in face f.
+  int corner(int f, int v) const {
+    const Face& face = faces_[f];
+    return face[0] == v ? 0 : face[1] == v ? 1 : 2;
+  }
+
+  bool face_has(int f, int v) const {
+    const Face& face = faces_[f];
+    return face[0] == v || face[1] == v || face[2] == v;
+  }
+
+  /// The corner of f that is neither a nor b, two different corners of it.
+  int third_vertex(int f, int a, int b) const {
+    const Face& face = faces_[f];
+    return face[0] + face[1] + face[2] - a - b;
+  }
+
+  bool has_edge(int a, int b) const {
+    for (int f : faces_of(a))
+      if (face_has(f, b)) return true;
+    return false;
+  }
+
+  /// The face with these three corners, or -1.
+  int find_face(int a, int b, int c) const {
+    for (int f : faces_of(a))
+      if (face_has(f, b) && face_has(f, c)) return f;
+    return -1;
+  }
+
+  void remove_face(int f) {
+    for (int v : faces_[f]) {
+      erase(lists_[v], f);
+      vertex_count_ -= lists_[v].size == 0;
+    }
+    faces_[f] = {dead, dead, dead};
+    --face_count_;
+  }
+
+  /// Edge collapse: faces with both vertices go, `gone` becomes `keep` in the others.
+  void collapse(int keep, int gone) {
+    remove_shared_faces(keep, gone);
+    for (int f : faces_of(gone)) faces_[f][corner(f, gone)] = keep;
+    vertex_count_ -= lists_[keep].size > 0 && lists_[gone].size > 0;
+    merge_lists(lists_[keep], lists_[gone]);
+  }
+
+ private:
+  static constexpr int dead = -1;
+
+  struct List {
+    int begin = 0, size = 0, capacity = 0;
+  };
+
+  void append(List& list, int f) { pool_[list.begin + list.size++] = f; }
+
+  void erase(List& list, int f) {
+    int* const first = pool_.data() + list.begin;
+    *std::find(first, first + list.size, f) = first[list.size - 1];
+    --list.size;
+  }
+
+  void remove_shared_faces(int keep, int gone) {
+    for (int i = lists_[gone].size - 1; i >= 0; --i) {
+      const int f = pool_[lists_[gone].begin + i];
+      if (face_has(f, keep)) remove_face(f);
+    }
+  }
+
+  /// All of b's faces go to a; the roomier list stays where it is.
+  void merge_lists(List& a, List& b) {
+    if (a.capacity < b.capacity) std::swap(a, b);
+    reserve(a, a.size + b.size);
+    std::copy_n(pool_.data() + b.begin, b.size, pool_.data() + a.begin + a.size);
+    a.size += b.size;
+    b.size = 0;
+  }
+
+  void reserve(List& list, int needed) {
+    if (needed <= list.capacity) return;
+    const int begin = static_cast<int>(pool_.size());
+    const int capacity = std::max(needed, 2 * list.capacity);
+    pool_.resize(pool_.size() + capacity);
+    std::copy_n(pool_.data() + list.begin, list.size, pool_.data() + begin);
+    list.begin = begin;
+    list.capacity = capacity;
+  }
+
+  std::vector<Face> faces_;
+  std::vector<List> lists_;  // by vertex
+  std::vector<int> pool_;
+  int face_count_ = 0, vertex_count_ = 0;
+};
+
+}  // namespace curvdecim

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "vcg_ext/mesh/working_mesh.h"
+#include "vcg_ext/params.h"
+
+namespace curvdecim {
+
+/// Discrete curvature around a vertex, in the unit of the positions.
+struct VertexCurvature {
+  double gaussian = 0.0;  ///< angle defect / area, 1/length^2, by Gauss-Bonnet @cite pellizzoni2020
+  double mean = 0.0;      ///< area gradient along the normal / (2 area), 1/length @cite meyer2003
+  double area = 0.0;      ///< a third of the faces around, length^2
+
+  /// |k1| + |k2| of the principal curvatures mean +- sqrt(mean^2 - gaussian), 1/length.
+  double absolute() const {
+    return gaussian >= 0.0 ? 2.0 * std::abs(mean) : 2.0 * std::sqrt(mean * mean - gaussian);
+  }
+
+  double of_kind(CurvatureKind kind) const {
+    return kind == CurvatureKind::Gaussian ? std::abs(gaussian) : absolute();
+  }
+};
+
+/// All zero where the faces around have no area. On the boundary the full angle is pi.
+inline VertexCurvature vertex_curvature(const WorkingMesh& mesh, int v) {
+  double angles = 0.0, area = 0.0;
+  Vector3 gradient = Vector3::Zero(), normal = Vector3::Zero();
+  for (int f : mesh.connectivity.faces_of(v)) {
+    const Face& face = mesh.connectivity.face(f);
+    const int i = mesh.connectivity.corner(f, v);
+    const Vector3 &b = mesh.position[face[(i + 1) % 3]], &c = mesh.position[face[(i + 2) % 3]];
+    angles += corner_angle(mesh.position[v], b, c);
+    area += mesh.plane[f].area / 3.0;
+    gradient += 0.5 * mesh.plane[f].normal.cross(c - b);
+    normal += mesh.plane[f].area * mesh.plane[f].normal;
+  }
+  const double length = normal.norm();
+  if (!(area > 0.0) || !(length > 0.0)) return {};
+  const double full = mesh.kind[v] == VertexKind::Boundary ? M_PI : 2.0 * M_PI;
+  return {(full - angles) / area, gradient.dot(normal) / (2.0 * area * length), area};
+}
+
+}  // namespace curvdecim

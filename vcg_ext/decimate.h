@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <chrono>
+#include <cmath>
+#include <string>
+
+#include "vcg_ext/dispatch.h"
+#include "vcg_ext/mesh/decimation_setup.h"
+#include "vcg_ext/mesh/write_back.h"
+#include "vcg_ext/operators/edge_collapse.h"
+#include "vcg_ext/validation.h"
+
+namespace curvdecim {
+
+/// Decimates a vcg triangle mesh by edge collapse, in place.
+///
+/// The mesh needs faces with vertex references and selection flags; no adjacency. Whatever vertex
+/// attributes it has are carried. It is left exactly as it was when the parameters or the mesh
+/// cannot be used (throws InputError), when it is already small enough, and when `progress` asks to
+/// stop (the report says Cancelled). It may stop short of the target; the report says why.
+///
+/// Worst case: time O(n log n) for bounded valence, 700 bytes of memory a vertex.
+template <class MeshType>
+DecimationReport decimate_edge_collapse(MeshType& mesh, const EdgeCollapseParams& requested,
+                                        const Progress& progress = {}) {
+  const auto start = std::chrono::steady_clock::now();
+  const EdgeCollapseParams params = with_preset(requested);
+  validate(params);
+  Snapshot snapshot = take_snapshot(mesh);
+  DecimationReport report = initial_report(mesh);
+  const StopCriterion stop = set_up(mesh, params, snapshot, report);
+  if (!stop.reached(snapshot.mesh.connectivity)) {
+    BlendRecord blend;
+    with_metric(snapshot.mesh, params, snapshot.diagonal, [&](auto metric) {
+      EdgeCollapse operation(snapshot.mesh, metric, params, stop);
+      operation.add_observer(blend);
+      operation.run(Parallel(params.threads), progress, report);
+    });
+    if (report.stopped_by != StopReason::Cancelled) WriteBack<MeshType>(mesh, snapshot).run(blend.steps());
+  }
+  finish(mesh, report);
+  report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return report;
+}
+
+/// Writes to the quality of every vertex of a face the curvature that CurvatureWeighted uses, in the
+/// mesh's unit, or the factor that an edge with this curvature at one end gets. Throws InputError.
+template <class MeshType>
+void curvature_importance(MeshType& mesh, const ImportanceParams& params) {
+  validate(params);
+  const Snapshot snapshot = take_snapshot(mesh);
+  const auto curvature = vertex_curvatures(snapshot.mesh, Parallel(0));
+  const CurvatureWeight weight = curvature_weight(params, curvature, snapshot.diagonal);
+  const double length = snapshot.diagonal;
+  const double unit = params.curvature_kind == CurvatureKind::Gaussian ? 1.0 / (length * length) : 1.0 / length;
+  for (std::size_t v = 0; v < curvature.size(); ++v) {
+    const double k = curvature[v].of_kind(params.curvature_kind);
+    auto& quality = mesh.vert[snapshot.vertex_of[v]].Q();
+    quality = static_cast<std::decay_t<decltype(quality)>>(params.as_factor ? weight(k) : k * unit);
+  }
+}
+
+}  // namespace curvdecim

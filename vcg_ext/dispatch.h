@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <utility>
+
+#include "vcg_ext/metric/curvature_additive_metric.h"
+#include "vcg_ext/metric/curvature_weighted_metric.h"
+#include "vcg_ext/metric/quadric_metric.h"
+
+namespace curvdecim {
+
+/// Calls use(metric) with the metric that the parameters name.
+template <class Use>
+void with_metric(const WorkingMesh& mesh, const EdgeCollapseParams& params, double diagonal, Use use) {
+  switch (params.metric) {
+    case Metric::Quadric: return use(QuadricMetric(mesh, params));
+    case Metric::CurvatureWeighted: return use(CurvatureWeightedMetric(mesh, params, diagonal));
+    case Metric::CurvatureAdditive: return use(CurvatureAdditiveMetric(mesh, params));
+  }
+}
+
+/// The named settings; Custom leaves all as it is.
+inline EdgeCollapseParams with_preset(EdgeCollapseParams params) {
+  if (params.preset == Preset::Custom) return params;
+  params.quadrics = params.preset == Preset::Fast ? Quadrics::Accumulated : Quadrics::Memoryless;
+  params.plane_weight = PlaneWeight::Area;
+  params.placement = Placement::Optimal;
+  return params;
+}
+
+}  // namespace curvdecim

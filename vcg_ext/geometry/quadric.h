@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "vcg_ext/geometry/symmetric3.h"
+
+namespace curvdecim {
+
+/// Weighted sum of squared distances to planes @cite garland1997, as a function of the offset from
+/// an origin of its own: value(d) = d^T A d + 2 b.d + c. The origin is the vertex that carries the
+/// quadric, so that small errors are not lost in the rounding of large coordinates.
+struct Quadric {
+  Symmetric3 a;
+  Vector3 b = Vector3::Zero();
+  double c = 0.0;
+
+  /// The plane with unit normal n at the signed distance `offset` from the origin along n.
+  static Quadric plane(const Vector3& n, double offset, double weight) {
+    return {Symmetric3::outer(n, weight), (-weight * offset) * n, weight * offset * offset};
+  }
+
+  Quadric& operator+=(const Quadric& o) {
+    a += o.a, b += o.b, c += o.c;
+    return *this;
+  }
+
+  double value(const Vector3& d) const { return d.dot(a * d) + 2.0 * b.dot(d) + c; }
+
+  /// The same function of the offset from an origin that lies `step` away.
+  Quadric with_origin_moved(const Vector3& step) const {
+    const Vector3 a_step = a * step;
+    return {a, b + a_step, step.dot(a_step) + 2.0 * b.dot(step) + c};
+  }
+};
+
+inline Quadric operator+(Quadric p, const Quadric& q) { return p += q; }
+
+}  // namespace curvdecim

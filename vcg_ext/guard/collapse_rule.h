@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include "vcg_ext/mesh/working_mesh.h"
+#include "vcg_ext/metric/candidate.h"
+#include "vcg_ext/params.h"
+
+namespace curvdecim {
+
+/// Which kind may go into which; nullopt: the edge stays. A locked vertex and a junction stay where
+/// they are; a vertex of a boundary or a curve goes along it only.
+///
+/// | a \ b    | interior | boundary | curve    | junction |
+/// |----------|----------|----------|----------|----------|
+/// | interior | anywhere | onto b   | onto b   | onto b   |
+/// | boundary |          | anywhere | stays    | onto b   |
+/// | curve    |          |          | anywhere | onto b   |
+/// | junction |          |          |          | stays    |
+class CollapseRule {
+ public:
+  CollapseRule(const WorkingMesh& mesh, const DecimationParams& params)
+      : mesh_(mesh), topology_(params.preserve_topology), boundary_(params.preserve_boundary) {}
+
+  std::optional<Allowed> operator()(Edge edge) const {
+    const VertexKind a = mesh_.kind[edge.a], b = mesh_.kind[edge.b];
+    const bool a_stays = stays(edge.a), b_stays = stays(edge.b);
+    if (a_stays && b_stays) return std::nullopt;
+    if (a_stays) return may_go_onto(b, a) ? std::optional(Allowed::OntoA) : std::nullopt;
+    if (b_stays) return may_go_onto(a, b) ? std::optional(Allowed::OntoB) : std::nullopt;
+    if (a == b || is_free(a, b)) return Allowed::Anywhere;
+    if (!may_go_onto(a, b) && !may_go_onto(b, a)) return std::nullopt;
+    return a > b ? Allowed::OntoA : Allowed::OntoB;
+  }
+
+ private:
+  bool stays(int v) const { return mesh_.locked[v] || (topology_ && mesh_.kind[v] == VertexKind::Junction); }
+
+  static bool may_go_onto(VertexKind from, VertexKind to) {
+    return from == VertexKind::Interior || from == to || to == VertexKind::Junction;
+  }
+
+  /// Where the user did not ask to keep it, the boundary is held by its quadrics alone.
+  bool is_free(VertexKind a, VertexKind b) const {
+    return !topology_ || (!boundary_ && a <= VertexKind::Boundary && b <= VertexKind::Boundary);
+  }
+
+  const WorkingMesh& mesh_;
+  const bool topology_, boundary_;
+};
+
+}  // namespace curvdecim

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "vcg_ext/connectivity/edge_neighborhood.h"
+#include "vcg_ext/mesh/working_mesh.h"
+
+namespace curvdecim {
+
+/// An edge of the boundary, or one where more than two faces meet.
+inline bool is_singular_edge(const TriangleConnectivity& connectivity, int a, int b) {
+  int faces = 0;
+  for (int f : connectivity.faces_of(a)) faces += connectivity.face_has(f, b);
+  return faces != 2;
+}
+
+/// Link condition @cite dey1999: the links of both ends meet in the link of the edge and nowhere
+/// else, and the same holds within the graph of singular edges. So no hole closes or merges with
+/// another, no component vanishes and no face doubles another.
+inline bool satisfies_link_condition(const WorkingMesh& mesh, const EdgeNeighborhood& around) {
+  const TriangleConnectivity& connectivity = mesh.connectivity;
+  const auto [a, b] = around.edge();
+  const std::vector<int>& thirds = around.thirds();
+  if (around.common_neighbors() != static_cast<int>(thirds.size())) return false;
+  if (mesh.kind[a] != VertexKind::Interior && mesh.kind[b] != VertexKind::Interior && thirds.size() == 2) return false;
+  for (std::size_t i = 0; i < thirds.size(); ++i) {
+    if (is_singular_edge(connectivity, a, thirds[i]) && is_singular_edge(connectivity, b, thirds[i])) return false;
+    for (std::size_t j = 0; j < i; ++j)
+      if (connectivity.find_face(a, thirds[i], thirds[j]) >= 0 && connectivity.find_face(b, thirds[i], thirds[j]) >= 0)
+        return false;
+  }
+  return true;
+}
+
+}  // namespace curvdecim

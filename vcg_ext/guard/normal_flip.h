@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "vcg_ext/geometry/triangle.h"
+
+namespace curvdecim {
+
+/// True if the normal turns by more than the angle whose cosine is given. A face that had no area
+/// had no normal to turn.
+inline bool turns_too_far(const FacePlane& before, const FacePlane& after, double cos_limit) {
+  return before.area > 0.0 && before.normal.dot(after.normal) < cos_limit;
+}
+
+}  // namespace curvdecim

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <limits>
+#include <vector>
+
+#include "vcg_ext/geometry/closest_point.h"
+#include "vcg_ext/operators/collapse_observer.h"
+
+namespace curvdecim {
+
+/// The attributes of `keep` become the weighted sum of those of three vertices.
+struct BlendStep {
+  int keep;
+  Face from;
+  Barycentric weight;
+};
+
+/// Notes for every collapse where, on the surface just before it, the merged vertex takes its
+/// attributes from: the nearest point of the faces around the edge. An attribute that is affine in
+/// position is so carried over the surface and not only along the edge.
+class BlendRecord : public CollapseObserver {
+ public:
+  void before(const WorkingMesh& mesh, const EdgeNeighborhood& around, const Collapse& collapse) override {
+    if (collapse.now == collapse.keep_was) return;
+    const Vector3& x = collapse.now;
+    BlendStep nearest{collapse.keep, {}, {}};
+    double least = std::numeric_limits<double>::infinity();
+    for (const auto* faces : {&around.wings(), &around.star()})
+      for (int f : *faces) {
+        const Triangle triangle = mesh.triangle(f);
+        const Barycentric weight = closest_point(triangle, x);
+        const double distance2 = (at(triangle, weight) - x).squaredNorm();
+        if (distance2 < least) least = distance2, nearest = {collapse.keep, mesh.connectivity.face(f), weight};
+      }
+    steps_.push_back(nearest);
+  }
+
+  const std::vector<BlendStep>& steps() const { return steps_; }
+
+ private:
+  std::vector<BlendStep> steps_;
+};
+
+/// Replays the record on one attribute. Value: a vector space over double.
+template <class Value>
+void replay(const std::vector<BlendStep>& steps, std::vector<Value>& values) {
+  for (const BlendStep& step : steps)
+    values[step.keep] = step.weight[0] * values[step.from[0]] + step.weight[1] * values[step.from[1]] +
+                        step.weight[2] * values[step.from[2]];
+}
+
+}  // namespace curvdecim

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "vcg_ext/mesh/snapshot.h"
+#include "vcg_ext/operators/stop_criterion.h"
+#include "vcg_ext/params.h"
+#include "vcg_ext/report.h"
+
+namespace curvdecim {
+
+template <class MeshType>
+DecimationReport initial_report(const MeshType& mesh) {
+  DecimationReport report;
+  report.faces_before = report.faces = mesh.fn;
+  report.vertices_before = report.vertices = mesh.vn;
+  return report;
+}
+
+/// A vertex that a face outside the selection uses may not move. Throws InputError where nothing is
+/// selected.
+inline void lock_unselected(Snapshot& snapshot) {
+  if (std::none_of(snapshot.selected.begin(), snapshot.selected.end(), [](bool s) { return s; }))
+    throw InputError("Selected is on, but no face is selected. Select faces or turn Selected off.");
+  for (int f = 0; f < snapshot.mesh.connectivity.face_slots(); ++f)
+    if (!snapshot.selected[f])
+      for (int v : snapshot.mesh.connectivity.face(f)) snapshot.mesh.locked[v] = true;
+}
+
+/// Vertex quality, scaled to a largest value of 1, as a factor on the cost. Values at or below zero
+/// count as nearly nothing. Throws InputError where it is not finite.
+template <class MeshType>
+std::vector<double> importance_from_quality(const MeshType& mesh, const Snapshot& snapshot) {
+  constexpr double least = 1e-6;  // of the largest: still ordered by error among themselves
+  std::vector<double> importance;
+  for (int v : snapshot.vertex_of) {
+    importance.push_back(static_cast<double>(mesh.vert[v].cQ()));
+    if (!std::isfinite(importance.back()))
+      throw InputError("QualityWeight is on, but the quality of vertex " + std::to_string(v) + " is not finite.");
+  }
+  const double largest = *std::max_element(importance.begin(), importance.end());
+  if (!(largest > 0.0)) return {};
+  for (double& value : importance) value = std::max(value / largest, least);
+  return importance;
+}
+
+/// Faces to keep among `candidates`, by the parameter that rules.
+inline int target_faces(const DecimationParams& params, int candidates) {
+  if (params.target_fraction > 0.0) return std::max(1, static_cast<int>(params.target_fraction * candidates));
+  if (params.target_vertices > 0) return 0;
+  return params.target_faces == DecimationParams::no_target ? 0 : params.target_faces;
+}
+
+inline void note_repairs(const Snapshot& snapshot, DecimationReport& report) {
+  if (!snapshot.unusable.empty())
+    report.notes.push_back("Removed " + std::to_string(snapshot.unusable.size()) +
+                           " faces that used a vertex twice or repeated another face.");
+  const auto& kinds = snapshot.mesh.kind;
+  const auto non_manifold = std::count_if(kinds.begin(), kinds.end(), [](VertexKind k) { return k >= VertexKind::Curve; });
+  if (non_manifold > 0)
+    report.notes.push_back(std::to_string(non_manifold) + " vertices are non-manifold; there will not be more.");
+}
+
+inline void require_target(const DecimationParams& params) {
+  if (params.target_faces == DecimationParams::no_target && params.target_vertices == 0 &&
+      params.target_fraction == 0.0 && params.max_error == 0.0)
+    throw InputError("No target is given. Set TargetFaceNum, TargetVertNum, TargetPerc or MaxError.");
+}
+
+/// Locks, weights and the target in terms of the working mesh; notes what the user should know.
+template <class MeshType>
+StopCriterion set_up(const MeshType& mesh, const DecimationParams& params, Snapshot& snapshot,
+                     DecimationReport& report) {
+  require_target(params);
+  const int faces = snapshot.mesh.connectivity.face_count(), vertices = snapshot.mesh.connectivity.vertex_count();
+  int candidates = mesh.fn, others = 0;
+  if (params.selected_only) {
+    lock_unselected(snapshot);
+    candidates = static_cast<int>(std::count(snapshot.selected.begin(), snapshot.selected.end(), true));
+    others = faces - candidates;
+  }
+  const int target = target_faces(params, candidates);
+  const bool vertex_target = params.target_vertices > 0;
+  if (target >= candidates || (vertex_target && params.target_vertices >= mesh.vn)) {
+    report.notes.push_back("The target is not below the current count: nothing to do, the mesh is unchanged.");
+    return {faces, vertices};
+  }
+  if (params.quality_weight) {
+    snapshot.mesh.importance = importance_from_quality(mesh, snapshot);
+    if (snapshot.mesh.importance.empty())
+      report.notes.push_back("QualityWeight is on, but no vertex has a quality above zero: it has no effect.");
+  }
+  note_repairs(snapshot, report);
+  return {target + others, vertex_target ? std::max(0, params.target_vertices - (mesh.vn - vertices)) : 0};
+}
+
+/// What is left, and why it is more than was asked for.
+template <class MeshType>
+void finish(const MeshType& mesh, DecimationReport& report) {
+  report.faces = mesh.fn;
+  report.vertices = mesh.vn;
+  if (report.stopped_by == StopReason::Cancelled) report.notes.push_back("Cancelled: the mesh is unchanged.");
+  if (report.stopped_by != StopReason::NothingLeft) return;
+  const auto most = std::max_element(report.rejected.begin(), report.rejected.end());
+  std::string note = "Stopped at " + std::to_string(mesh.fn) + " faces, above the target: no edge is left that may collapse.";
+  if (*most > 0) note += std::string(" Most were refused by ") + rejection_names[most - report.rejected.begin()] + '.';
+  report.notes.push_back(note);
+}
+
+}  // namespace curvdecim

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "vcg_ext/connectivity/triangle_connectivity.h"
+#include "vcg_ext/connectivity/vertex_kind.h"
+#include "vcg_ext/geometry/triangle.h"
+
+namespace curvdecim {
+
+/// The mesh while it is decimated: index arrays in a box of diagonal 1 around the origin.
+struct WorkingMesh {
+  std::vector<Vector3> position;   // by vertex
+  std::vector<VertexKind> kind;    // by vertex
+  std::vector<bool> locked;        // by vertex: must stay where it is
+  std::vector<FacePlane> plane;    // by face
+  std::vector<double> importance;  // by vertex: factor on the cost; empty: 1 everywhere
+  TriangleConnectivity connectivity;
+
+  Triangle triangle(int f) const {
+    const Face& face = connectivity.face(f);
+    return {position[face[0]], position[face[1]], position[face[2]]};
+  }
+
+  void update_plane(int f) { plane[f] = face_plane(triangle(f)); }
+};
+
+}  // namespace curvdecim

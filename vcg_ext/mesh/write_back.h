@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vcg/complex/algorithms/update/bounding.h>
+#include <vcg/complex/allocate.h>
+#include <vcg/complex/complex.h>
+
+#include <vector>
+
+#include "vcg_ext/mesh/attribute_blend.h"
+#include "vcg_ext/mesh/snapshot.h"
+
+namespace curvdecim {
+
+/// Puts the decimated arrays back into the vcg mesh that they were taken from. What was not touched
+/// keeps its bits. Afterwards the mesh is compact and its adjacency relations are empty.
+template <class MeshType>
+class WriteBack {
+ public:
+  WriteBack(MeshType& mesh, const Snapshot& snapshot) : mesh_(mesh), snapshot_(snapshot) {}
+
+  void run(const std::vector<BlendStep>& steps) {
+    blend_attributes(steps);
+    move_vertices();
+    connect_faces();
+    delete_unused();
+    clear_adjacency();
+    vcg::tri::Allocator<MeshType>::CompactEveryVector(mesh_);
+    vcg::tri::UpdateBounding<MeshType>::Box(mesh_);
+  }
+
+ private:
+  using Scalar = typename MeshType::ScalarType;
+  using Vertex = typename MeshType::VertexType;
+
+  const TriangleConnectivity& connectivity() const { return snapshot_.mesh.connectivity; }
+  bool in_use(int v) const { return connectivity().faces_of(v).size() > 0; }
+  Vertex& vertex(int v) { return mesh_.vert[snapshot_.vertex_of[v]]; }
+
+  void move_vertices() {
+    for (int v = 0; v < connectivity().vertex_slots(); ++v) {
+      auto& p = vertex(v).P();
+      const Vector3& x = snapshot_.mesh.position[v];
+      if (!in_use(v) || x == snapshot_.to_box({double(p[0]), double(p[1]), double(p[2])})) continue;
+      const Vector3 user = snapshot_.to_user(x);
+      for (int k = 0; k < 3; ++k) p[k] = static_cast<Scalar>(user[k]);
+    }
+  }
+
+  void connect_faces() {
+    for (int f = 0; f < connectivity().face_slots(); ++f) {
+      auto& face = mesh_.face[snapshot_.face_of[f]];
+      if (!connectivity().alive(f)) {
+        vcg::tri::Allocator<MeshType>::DeleteFace(mesh_, face);
+        continue;
+      }
+      for (int i = 0; i < 3; ++i) face.V(i) = &vertex(connectivity().face(f)[i]);
+    }
+    for (int f : snapshot_.unusable) vcg::tri::Allocator<MeshType>::DeleteFace(mesh_, mesh_.face[f]);
+  }
+
+  void delete_unused() {
+    for (int v = 0; v < connectivity().vertex_slots(); ++v)
+      if (!in_use(v)) vcg::tri::Allocator<MeshType>::DeleteVertex(mesh_, vertex(v));
+  }
+
+  /// Compaction follows these pointers; after the collapses they lead nowhere.
+  void clear_adjacency() {
+    if (vcg::tri::HasVFAdjacency(mesh_)) {
+      for (auto& v : mesh_.vert) v.VFClear();
+      for (auto& f : mesh_.face)
+        for (int i = 0; i < 3; ++i) f.VFClear(i);
+    }
+    if (vcg::tri::HasFFAdjacency(mesh_))
+      for (auto& f : mesh_.face)
+        for (int i = 0; i < 3; ++i) f.FFp(i) = nullptr;
+  }
+
+  // --- attributes: double while they are blended, so that rounding does not add up ---------------
+
+  /// read(vertex) -> Value, write(vertex, Value).
+  template <class Value, class Read, class Write>
+  void blend(const std::vector<BlendStep>& steps, Read read, Write write) {
+    std::vector<Value> values(connectivity().vertex_slots());
+    for (std::size_t v = 0; v < values.size(); ++v) values[v] = read(vertex(static_cast<int>(v)));
+    replay(steps, values);
+    std::vector<bool> changed(values.size(), false);
+    for (const BlendStep& step : steps) changed[step.keep] = true;
+    for (std::size_t v = 0; v < values.size(); ++v)
+      if (changed[v]) write(vertex(static_cast<int>(v)), values[v]);
+  }
+
+  void blend_attributes(const std::vector<BlendStep>& steps) {
+    if (vcg::tri::HasPerVertexQuality(mesh_))
+      blend<double>(steps, [](const Vertex& v) { return double(v.cQ()); },
+                    [](Vertex& v, double q) { v.Q() = static_cast<decltype(v.cQ() + 0)>(q); });
+    if (vcg::tri::HasPerVertexRadius(mesh_))
+      blend<double>(steps, [](const Vertex& v) { return double(v.cR()); },
+                    [](Vertex& v, double r) { v.R() = static_cast<decltype(v.cR() + 0)>(r); });
+    if (vcg::tri::HasPerVertexColor(mesh_)) blend<Eigen::Vector4d>(steps, read_color, write_color);
+    if (vcg::tri::HasPerVertexNormal(mesh_)) blend<Vector3>(steps, read_normal, write_normal);
+    if (vcg::tri::HasPerVertexTexCoord(mesh_))
+      blend<Eigen::Vector2d>(steps, [](const Vertex& v) { return Eigen::Vector2d(v.cT().u(), v.cT().v()); },
+                             [](Vertex& v, const Eigen::Vector2d& t) { v.T().u() = t.x(), v.T().v() = t.y(); });
+  }
+
+  static Eigen::Vector4d read_color(const Vertex& v) {
+    return {double(v.cC()[0]), double(v.cC()[1]), double(v.cC()[2]), double(v.cC()[3])};
+  }
+  static void write_color(Vertex& v, const Eigen::Vector4d& c) {
+    for (int k = 0; k < 4; ++k) v.C()[k] = static_cast<unsigned char>(std::lround(std::clamp(c[k], 0.0, 255.0)));
+  }
+
+  static Vector3 read_normal(const Vertex& v) { return {double(v.cN()[0]), double(v.cN()[1]), double(v.cN()[2])}; }
+  static void write_normal(Vertex& v, const Vector3& n) {
+    const double length = n.norm();
+    for (int k = 0; k < 3 && length > 0.0; ++k) v.N()[k] = static_cast<Scalar>(n[k] / length);
+  }
+
+  MeshType& mesh_;
+  const Snapshot& snapshot_;
+};
+
+}  // namespace curvdecim

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cmath>
+#include <vector>
+
+#include "vcg_ext/geometry/quadric.h"
+#include "vcg_ext/mesh/working_mesh.h"
+#include "vcg_ext/params.h"
+
+namespace curvdecim {
+
+/// Planes through the boundary and feature edges of the input, perpendicular to the faces there
+/// @cite garland1997; about each of the edge's two vertices. They are accumulated whatever the
+/// quadrics of the faces are, since the current mesh no longer knows where the curve once ran.
+class ConstraintQuadrics {
+ public:
+  ConstraintQuadrics(const WorkingMesh& mesh, const DecimationParams& params, PlaneWeight weight)
+      : mesh_(mesh), params_(params), weight_(weight), cos_feature_(std::cos(radians(params.feature_angle))) {}
+
+  /// By vertex; empty where the mesh has no such edge.
+  std::vector<Quadric> build() {
+    if (params_.boundary_weight > 0.0)
+      for (int f = 0; f < mesh_.connectivity.face_slots(); ++f)
+        for (int i = 0; i < 3; ++i) add_edge(f, i);
+    return std::move(quadrics_);
+  }
+
+ private:
+  static double radians(double degrees) { return degrees * (M_PI / 180.0); }
+
+  void add_edge(int f, int i) {
+    const Face& face = mesh_.connectivity.face(f);
+    const int a = face[i], b = face[(i + 1) % 3];
+    const int across = face_across(f, a, b);
+    if (across < 0 || is_feature(f, across)) add_plane(f, a, b);
+  }
+
+  /// The other face at the edge, or -1.
+  int face_across(int f, int a, int b) const {
+    for (int g : mesh_.connectivity.faces_of(a))
+      if (g != f && mesh_.connectivity.face_has(g, b)) return g;
+    return -1;
+  }
+
+  bool is_feature(int f, int g) const {
+    return params_.feature_angle < 180.0 &&
+           mesh_.plane[f].normal.dot(mesh_.plane[g].normal) <= cos_feature_;
+  }
+
+  void add_plane(int f, int a, int b) {
+    const Vector3 edge = mesh_.position[b] - mesh_.position[a];
+    const Vector3 across = edge.cross(mesh_.plane[f].normal);
+    const double length = across.norm();
+    if (!(length > 0.0)) return;
+    if (quadrics_.empty()) quadrics_.resize(mesh_.position.size());
+    const double unit = weight_ == PlaneWeight::Area ? edge.squaredNorm() : 1.0;
+    const Symmetric3 plane = Symmetric3::outer(across / length, params_.boundary_weight * unit);
+    quadrics_[a].a += plane;
+    quadrics_[b].a += plane;
+  }
+
+  const WorkingMesh& mesh_;
+  const DecimationParams& params_;
+  const PlaneWeight weight_;
+  const double cos_feature_;
+  std::vector<Quadric> quadrics_;
+};
+
+}  // namespace curvdecim

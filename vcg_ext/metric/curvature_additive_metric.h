@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+
+#include "vcg_ext/metric/quadric_metric.h"
+
+namespace curvdecim {
+
+/// Quadric error plus lambda times a discrete curvature of the edge @cite yao2015, equation 8. The
+/// printed curvature is ambiguous; docs/decisions/yao-curvature-term.md has both readings.
+class CurvatureAdditiveMetric {
+ public:
+  CurvatureAdditiveMetric(const WorkingMesh& mesh, const EdgeCollapseParams& params)
+      : mesh_(mesh), params_(params), quadric_(mesh, params) {}
+
+  void initialize(const Parallel& parallel) { quadric_.initialize(parallel); }
+
+  std::optional<Candidate> evaluate(Edge edge, Allowed allowed) const {
+    std::optional<Candidate> candidate = quadric_.evaluate(edge, allowed);
+    if (candidate) candidate->cost += params_.lambda * edge_curvature(edge);
+    return candidate;
+  }
+
+  void merge(const Collapse& collapse, const std::vector<int>& ring) { quadric_.merge(collapse, ring); }
+
+ private:
+  /// Edge length times the largest deviation of a face around from the edge's own faces.
+  double edge_curvature(Edge edge) const {
+    double largest = 0.0;
+    for (int v : {edge.a, edge.b})
+      for (int f : mesh_.connectivity.faces_of(v)) largest = std::max(largest, deviation(f, edge));
+    return largest * (mesh_.position[edge.b] - mesh_.position[edge.a]).norm();
+  }
+
+  double deviation(int f, Edge edge) const {
+    const bool melax = params_.curvature_term == CurvatureTerm::Melax;
+    double least = std::numeric_limits<double>::infinity(), most = -least;
+    for (int wing : mesh_.connectivity.faces_of(edge.a)) {
+      if (!mesh_.connectivity.face_has(wing, edge.b)) continue;
+      const double cosine = mesh_.plane[f].normal.dot(mesh_.plane[wing].normal);
+      least = std::min(least, 0.5 * (1.0 - cosine));
+      most = std::max(most, cosine);
+    }
+    return melax ? least : most;
+  }
+
+  const WorkingMesh& mesh_;
+  const EdgeCollapseParams& params_;
+  QuadricMetric quadric_;
+};
+
+}  // namespace curvdecim

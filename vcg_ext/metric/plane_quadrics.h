@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "vcg_ext/geometry/quadric.h"
+#include "vcg_ext/mesh/working_mesh.h"
+#include "vcg_ext/params.h"
+
+namespace curvdecim {
+
+/// Planes of the faces around v, about v: they all pass through it, so that only the matrix is left.
+inline Symmetric3 plane_quadric(const WorkingMesh& mesh, int v, PlaneWeight weight) {
+  Symmetric3 sum;
+  for (int f : mesh.connectivity.faces_of(v)) {
+    const FacePlane& plane = mesh.plane[f];
+    sum += Symmetric3::outer(plane.normal, weight == PlaneWeight::Area ? plane.area : 1.0);
+  }
+  return sum;
+}
+
+}  // namespace curvdecim

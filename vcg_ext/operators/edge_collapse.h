@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "vcg_ext/guard/collapse_rule.h"
+#include "vcg_ext/guard/link_condition.h"
+#include "vcg_ext/guard/normal_flip.h"
+#include "vcg_ext/guard/triangle_after.h"
+#include "vcg_ext/guard/triangle_shape.h"
+#include "vcg_ext/operators/collapse_observer.h"
+#include "vcg_ext/operators/stop_criterion.h"
+#include "vcg_ext/parallel.h"
+#include "vcg_ext/params.h"
+#include "vcg_ext/queue/edge_queue.h"
+#include "vcg_ext/report.h"
+
+namespace curvdecim {
+
+/// Greedy edge collapse, cheapest edge first:
+///
+///   evaluate every edge, keep each vertex's cheapest in the queue
+///   while the target is not reached:
+///     edge <- cheapest                            (queue)
+///     evaluate again; dearer than queued? requeue (metric, placement)
+///     neighbourhood of the edge                   (connectivity)
+///     refused? queue the vertex's next best       (guard)
+///     collapse, merge the metric, tell observers
+///     evaluate the new edges
+///
+/// Costs that a collapse elsewhere raised are found when their entry comes up; costs that it
+/// lowered are found when the edge is evaluated next. `Metric` has initialize(parallel),
+/// evaluate(edge, allowed) -> optional<Candidate> and merge(collapse, ring).
+template <class MetricType>
+class EdgeCollapse {
+ public:
+  EdgeCollapse(WorkingMesh& mesh, MetricType& metric, const DecimationParams& params, const StopCriterion& stop)
+      : mesh_(mesh),
+        metric_(metric),
+        params_(params),
+        stop_(stop),
+        queue_(mesh.connectivity.vertex_slots()),
+        around_(mesh.connectivity.vertex_slots()),
+        marks_(mesh.connectivity.vertex_slots()),
+        rule_(mesh, params),
+        cos_normal_(params.preserve_normal ? std::cos(params.normal_angle * (M_PI / 180.0)) : -1.0) {}
+
+  void add_observer(CollapseObserver& observer) { observers_.push_back(&observer); }
+
+  /// Fills cost_last, rejected and stopped_by of the report.
+  void run(const Parallel& parallel, const Progress& progress, DecimationReport& report) {
+    report_ = &report;
+    metric_.initialize(parallel);
+    int before;
+    do {  // a refused edge may have become possible since: ask all once more before giving up
+      before = mesh_.connectivity.face_count();
+      fill_queue(parallel);
+      report.stopped_by = empty_queue(progress);
+    } while (report.stopped_by == StopReason::NothingLeft && mesh_.connectivity.face_count() < before);
+  }
+
+ private:
+  StopReason empty_queue(const Progress& progress) {
+    const int start = mesh_.connectivity.face_count();
+    for (int steps = 0; !stop_.reached(mesh_.connectivity); ++steps) {
+      if (queue_.empty()) return StopReason::NothingLeft;
+      if (steps % steps_per_progress == 0 && !report_progress(progress, start)) return StopReason::Cancelled;
+      const Edge edge = queue_.top();
+      const std::optional<Candidate> candidate = evaluate(edge);
+      if (!candidate || candidate->cost > queue_.top_cost()) {
+        requeue(edge.a);
+        continue;
+      }
+      around_.gather(mesh_.connectivity, edge);
+      if (const auto reason = refusal(*candidate)) {
+        count(*reason);
+        queue_next_best(edge.a);
+        continue;
+      }
+      report_->cost_last = candidate->cost;
+      reevaluate(collapse(*candidate));
+    }
+    return StopReason::Target;
+  }
+
+  // --- candidates -------------------------------------------------------------------------------
+
+  std::optional<Candidate> evaluate(Edge edge) const {
+    const std::optional<Allowed> allowed = rule_(edge);
+    if (!allowed) return std::nullopt;
+    std::optional<Candidate> candidate = metric_.evaluate(edge, *allowed);
+    if (candidate && !mesh_.importance.empty())
+      candidate->cost *= mesh_.importance[edge.a] + mesh_.importance[edge.b];
+    return candidate;
+  }
+
+  struct Option {
+    double cost;
+    int partner;
+    bool operator<(const Option& o) const { return cost < o.cost || (cost == o.cost && partner < o.partner); }
+  };
+
+  /// The edges that v owns (to neighbours with a higher index) with their costs.
+  void gather_options(int v, VertexMarks& marks, std::vector<Option>& options) const {
+    options.clear();
+    for_each_neighbor(mesh_.connectivity, v, marks, [&](int u) {
+      if (u < v) return;
+      if (const auto candidate = evaluate({v, u})) options.push_back({candidate->cost, u});
+    });
+  }
+
+  void fill_queue(const Parallel& parallel);
+
+  void requeue(int v) {
+    gather_options(v, marks_, options_);
+    if (options_.empty()) return queue_.remove(v);
+    const Option best = *std::min_element(options_.begin(), options_.end());
+    queue_.set({v, best.partner}, best.cost);
+  }
+
+  /// The cheapest edge of v that no guard refuses.
+  void queue_next_best(int v) {
+    gather_options(v, marks_, options_);
+    std::sort(options_.begin(), options_.end());
+    for (const Option& option : options_) {
+      around_.gather(mesh_.connectivity, {v, option.partner});
+      if (!refusal(*evaluate(around_.edge()))) return queue_.set(around_.edge(), option.cost);
+    }
+    queue_.remove(v);
+  }
+
+  // --- guards -----------------------------------------------------------------------------------
+
+  std::optional<Rejection> refusal(const Candidate& candidate) const {
+    if (params_.preserve_topology && !satisfies_link_condition(mesh_, around_)) return Rejection::LinkCondition;
+    for (int f : around_.star()) {
+      const Triangle triangle = triangle_after(mesh_, f, around_.edge(), candidate.position);
+      const FacePlane after = face_plane(triangle);
+      if (turns_too_far(mesh_.plane[f], after, cos_normal_)) return Rejection::NormalFlip;
+      if (spoils_shape(shape_quality(mesh_.triangle(f), mesh_.plane[f].area), shape_quality(triangle, after.area),
+                       least_shape_quality))
+        return Rejection::TriangleShape;
+    }
+    return std::nullopt;
+  }
+
+  void count(Rejection reason) { ++report_->rejected[static_cast<std::size_t>(reason)]; }
+
+  // --- collapse ---------------------------------------------------------------------------------
+
+  /// The vertex that does not move stays, if there is one, so that it keeps its bits.
+  Collapse collapse(const Candidate& candidate) {
+    const auto [a, b] = around_.edge();
+    const bool keep_b = candidate.position == mesh_.position[b];
+    const int keep = keep_b ? b : a, gone = keep_b ? a : b;
+    const Collapse done{keep, gone, mesh_.position[keep], mesh_.position[gone], candidate.position,
+                        keep_b ? 1.0 - candidate.t : candidate.t};
+    for (CollapseObserver* observer : observers_) observer->before(mesh_, around_, done);
+    mesh_.position[keep] = candidate.position;
+    mesh_.connectivity.collapse(keep, gone);
+    if (!params_.preserve_topology) remove_duplicates();
+    mesh_.kind[keep] = std::max(mesh_.kind[keep], mesh_.kind[gone]);
+    if (!mesh_.importance.empty())
+      mesh_.importance[keep] += done.t * (mesh_.importance[gone] - mesh_.importance[keep]);
+    for (int f : around_.star())
+      if (mesh_.connectivity.alive(f)) mesh_.update_plane(f);
+    return done;
+  }
+
+  /// Where the link condition was not asked for, faces may have fallen onto each other.
+  void remove_duplicates() {
+    for (int f : around_.star()) {
+      if (!mesh_.connectivity.alive(f)) continue;
+      const Face& face = mesh_.connectivity.face(f);
+      for (int g : around_.star())
+        if (g > f && mesh_.connectivity.alive(g) && mesh_.connectivity.face_has(g, face[0]) &&
+            mesh_.connectivity.face_has(g, face[1]) && mesh_.connectivity.face_has(g, face[2]))
+          mesh_.connectivity.remove_face(g);
+    }
+  }
+
+  void reevaluate(const Collapse& done) {
+    ring_.clear();
+    for_each_neighbor(mesh_.connectivity, done.keep, marks_, [this](int u) { ring_.push_back(u); });
+    metric_.merge(done, ring_);
+    queue_.remove(done.gone);
+    requeue(done.keep);
+    for (int u : ring_) {
+      const int known = queue_.partner(u);
+      if (known == EdgeQueue::none || known == done.keep || known == done.gone) {
+        requeue(u);
+      } else if (u < done.keep) {
+        if (const auto candidate = evaluate({u, done.keep})) queue_.offer({u, done.keep}, candidate->cost);
+      }
+    }
+  }
+
+  bool report_progress(const Progress& progress, int start) const {
+    if (!progress) return true;
+    const int done = start - mesh_.connectivity.face_count(), all = std::max(1, start - stop_.faces);
+    return progress(static_cast<int>(std::min(100.0, 100.0 * done / all)), "Collapsing edges");
+  }
+
+  static constexpr int steps_per_progress = 1024;      // a few milliseconds
+  static constexpr double least_shape_quality = 0.01;  // a needle of 1 : 100
+
+  WorkingMesh& mesh_;
+  MetricType& metric_;
+  const DecimationParams& params_;
+  const StopCriterion& stop_;
+  EdgeQueue queue_;
+  EdgeNeighborhood around_;
+  VertexMarks marks_;
+  const CollapseRule rule_;
+  const double cos_normal_;
+  std::vector<int> ring_;
+  std::vector<Option> options_;
+  std::vector<CollapseObserver*> observers_;
+  DecimationReport* report_ = nullptr;
+};
+
+/// In parallel: every thread has scratch of its own, every vertex its own result.
+template <class MetricType>
+void EdgeCollapse<MetricType>::fill_queue(const Parallel&) {
+  for (int v = 0; v < mesh_.connectivity.vertex_slots(); ++v) requeue(v);
+}
+
+}  // namespace curvdecim

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <limits>
+
+namespace curvdecim {
+
+/// What an edge collapse costs.
+enum class Metric {
+  Quadric,            ///< squared distance to planes @cite garland1997
+  CurvatureWeighted,  ///< Quadric times a curvature factor @cite pellizzoni2020
+  CurvatureAdditive,  ///< Quadric plus a curvature term @cite yao2015
+};
+
+/// In which unit curvature enters alpha.
+enum class AlphaUnits {
+  ScaleFree,   ///< curvature is divided by its area-weighted mean over the input
+  ModelUnits,  ///< curvature in the model's own unit of length, as printed @cite pellizzoni2020
+};
+
+enum class CurvatureKind {
+  Gaussian,  ///< |K|, 1/length^2, from Gauss-Bonnet @cite pellizzoni2020
+  Absolute,  ///< |k1| + |k2|, 1/length: also sees cylinders and straight ridges
+};
+
+/// The two readings of the printed curvature term @cite yao2015.
+enum class CurvatureTerm {
+  Melax,    ///< edge length x max over faces of min over the edge's faces of (1 - n.n') / 2
+  Literal,  ///< edge length x max over faces of max over the edge's faces of n.n'
+};
+
+enum class Quadrics {
+  Memoryless,   ///< recomputed from the current mesh @cite lindstrom1998
+  Accumulated,  ///< summed along the collapses @cite garland1997
+};
+
+enum class PlaneWeight {
+  Area,  ///< a plane counts by the area of its face
+  Unit,  ///< every plane counts 1, as in the papers
+};
+
+/// Where the merged vertex goes.
+enum class Placement {
+  Optimal,             ///< the minimum of the quadric in space
+  Line,                ///< the minimum of the quadric along the edge
+  EndpointOrMidpoint,  ///< the best of both ends and the midpoint
+  HalfEdge,            ///< the better end: only original vertices remain
+};
+
+/// Speed against quality: a named setting of quadrics, plane_weight and placement.
+enum class Preset { Fast, Balanced, Best, Custom };
+
+/// What every decimation shares. Lengths are in the mesh's unit, angles in degrees.
+struct DecimationParams {
+  static constexpr int no_target = std::numeric_limits<int>::max();
+
+  int target_faces = no_target;   ///< stop at this many faces (selected faces with selected_only)
+  int target_vertices = 0;        ///< stop at this many vertices; 0: not used
+  double target_fraction = 0.0;   ///< (0, 1]: fraction of the faces to keep; 0: not used, else it wins
+  double max_error = 0.0;         ///< >= 0, length: two-sided distance bound; 0: no bound
+  bool preserve_boundary = true;  ///< boundary vertices stay on the boundary curve
+  double boundary_weight = 1.0;   ///< >= 0: weight of the boundary and feature quadrics
+  bool preserve_normal = true;    ///< refuse a face whose normal turns more than normal_angle
+  double normal_angle = 90.0;     ///< (0, 180], degrees
+  bool preserve_topology = true;  ///< link condition @cite dey1999
+  double feature_angle = 60.0;    ///< [0, 180], degrees: dihedral angle of a feature; 180: none
+  bool selected_only = false;     ///< only selected faces change
+  bool quality_weight = false;    ///< per-vertex quality multiplies the cost
+  int threads = 0;                ///< >= 0; 0: all cores; never changes the result
+};
+
+/// How curvature becomes a factor on the cost @cite pellizzoni2020.
+struct CurvatureParams {
+  double alpha = 1.0;            ///< <= 0: infinite, that is plain quadrics
+  double curvature_floor = 0.5;  ///< [0, 1]: factor of a flat vertex with AlphaUnits::ScaleFree
+  AlphaUnits alpha_units = AlphaUnits::ScaleFree;
+  CurvatureKind curvature_kind = CurvatureKind::Absolute;
+};
+
+struct EdgeCollapseParams : DecimationParams, CurvatureParams {
+  Preset preset = Preset::Balanced;
+  Metric metric = Metric::CurvatureWeighted;
+  double lambda = 1e-3;  ///< >= 0: weight of the additive term, for a mesh of diagonal 1
+  CurvatureTerm curvature_term = CurvatureTerm::Melax;
+  Quadrics quadrics = Quadrics::Memoryless;
+  PlaneWeight plane_weight = PlaneWeight::Area;
+  Placement placement = Placement::Optimal;
+};
+
+/// What the Curvature Importance filter shows.
+struct ImportanceParams : CurvatureParams {
+  bool as_factor = false;  ///< the factor on the cost instead of the curvature itself
+};
+
+}  // namespace curvdecim

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "vcg_ext/geometry/quadric.h"
+#include "vcg_ext/metric/candidate.h"
+#include "vcg_ext/params.h"
+#include "vcg_ext/placement/line.h"
+#include "vcg_ext/placement/optimal.h"
+
+namespace curvdecim {
+
+/// A point near the edge from -half to +half (the midpoint is the origin).
+struct Placed {
+  Vector3 offset;
+  double t;  // 0..1: the nearest point of the edge
+};
+
+/// t = 0 and t = 1 give the ends exactly.
+inline Placed place_at(const Vector3& half, double t) { return {(2.0 * t - 1.0) * half, t}; }
+
+inline Placed place_half_edge(const Quadric& q, const Vector3& half) {
+  return place_at(half, q.value(-half) <= q.value(half) ? 0.0 : 1.0);
+}
+
+inline Placed place_endpoint_or_midpoint(const Quadric& q, const Vector3& half) {
+  const Placed end = place_half_edge(q, half);
+  return q.c < q.value(end.offset) ? place_at(half, 0.5) : end;
+}
+
+inline Placed place_optimal(const Quadric& q, const Vector3& half) {
+  const Vector3 offset = optimal_offset(q);
+  return {offset, parameter_along(half, offset)};
+}
+
+/// q: the quadric of the merged vertex about the midpoint of the edge.
+inline Placed place(const Quadric& q, const Vector3& half, Allowed allowed, Placement placement) {
+  if (allowed == Allowed::OntoA) return place_at(half, 0.0);
+  if (allowed == Allowed::OntoB) return place_at(half, 1.0);
+  switch (placement) {
+    case Placement::Optimal: return place_optimal(q, half);
+    case Placement::Line: return place_at(half, parameter_of_minimum(q, half));
+    case Placement::EndpointOrMidpoint: return place_endpoint_or_midpoint(q, half);
+    case Placement::HalfEdge: break;
+  }
+  return place_half_edge(q, half);
+}
+
+}  // namespace curvdecim

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace curvdecim {
+
+/// Called on every long stage with 0..100 and the stage's name; false asks to cancel.
+using Progress = std::function<bool(int percent, const char* stage)>;
+
+enum class StopReason { Target, ErrorBound, NothingLeft, Cancelled };
+
+inline const char* to_string(StopReason reason) {
+  constexpr std::array<const char*, 4> names = {"target", "error bound", "nothing left to collapse",
+                                                "cancelled"};
+  return names[static_cast<std::size_t>(reason)];
+}
+
+/// Why a guard refused a collapse.
+enum class Rejection { LinkCondition, VertexKind, NormalFlip, TriangleShape, ErrorBound };
+
+inline constexpr std::array<const char*, 5> rejection_names = {
+    "link_condition", "vertex_kind", "normal_flip", "triangle_shape", "error_bound"};
+
+struct DecimationReport {
+  std::int64_t faces_before = 0, faces = 0;
+  std::int64_t vertices_before = 0, vertices = 0;
+  StopReason stopped_by = StopReason::Target;
+  double max_error = 0.0;  ///< guaranteed two-sided bound in the mesh's unit; 0 when not asked for
+  double cost_last = 0.0;  ///< cost of the last collapse, for a mesh of diagonal 1
+  std::array<std::int64_t, rejection_names.size()> rejected{};  ///< by Rejection
+  double seconds = 0.0;
+  std::vector<std::string> notes;  ///< repairs, warnings and the reason of the stop, for the log
+};
+
+}  // namespace curvdecim
