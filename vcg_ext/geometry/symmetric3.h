@@ -20,6 +20,8 @@ struct Symmetric3 {
     return *this;
   }
 
+  Symmetric3 operator*(double s) const { return {s * xx, s * xy, s * xz, s * yy, s * yz, s * zz}; }
+
   double trace() const { return xx + yy + zz; }
 
   Vector3 operator*(const Vector3& v) const {

@@ -5,10 +5,10 @@
 
 namespace curvdecim {
 
-/// True if the normal turns by more than the angle whose cosine is given. A face that had no area
-/// had no normal to turn.
-inline bool turns_too_far(const FacePlane& before, const FacePlane& after, double cos_limit) {
-  return before.area > 0.0 && before.normal.dot(after.normal) < cos_limit;
+/// True if the unit normal turns by more than the angle whose cosine is given. A face that had no
+/// area had no normal (zero) to turn.
+inline bool turns_too_far(const Vector3& before, const FacePlane& after, double cos_limit) {
+  return before.squaredNorm() > 0.0 && before.dot(after.normal) < cos_limit;
 }
 
 }  // namespace curvdecim

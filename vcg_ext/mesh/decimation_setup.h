@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <vcg/complex/complex.h>
+
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -36,6 +38,7 @@ inline void lock_unselected(Snapshot& snapshot) {
 template <class MeshType>
 std::vector<double> importance_from_quality(const MeshType& mesh, const Snapshot& snapshot) {
   constexpr double least = 1e-6;  // of the largest: still ordered by error among themselves
+  if (!vcg::tri::HasPerVertexQuality(mesh)) return {};
   std::vector<double> importance;
   for (int v : snapshot.vertex_of) {
     importance.push_back(static_cast<double>(mesh.vert[v].cQ()));

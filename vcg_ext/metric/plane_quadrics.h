@@ -8,12 +8,19 @@
 namespace curvdecim {
 
 /// Planes of the faces around v, about v: they all pass through it, so that only the matrix is left.
-inline Symmetric3 plane_quadric(const WorkingMesh& mesh, int v, PlaneWeight weight) {
+inline Symmetric3 plane_matrix(const WorkingMesh& mesh, int v, PlaneWeight weight) {
   Symmetric3 sum;
   for (int f : mesh.connectivity.faces_of(v)) {
     const FacePlane& plane = mesh.plane[f];
     sum += Symmetric3::outer(plane.normal, weight == PlaneWeight::Area ? plane.area : 1.0);
   }
+  return sum;
+}
+
+/// Sum of the area vectors of the faces around v: how the volume below the faces grows with v.
+inline Vector3 volume_gradient(const WorkingMesh& mesh, int v) {
+  Vector3 sum = Vector3::Zero();
+  for (int f : mesh.connectivity.faces_of(v)) sum += mesh.plane[f].area * mesh.plane[f].normal;
   return sum;
 }
 

@@ -13,24 +13,32 @@
 namespace curvdecim {
 
 /// Quadric error @cite garland1997: the squared distances of the merged vertex to the planes around
-/// both ends. Accumulated, a vertex carries the planes of all that was merged into it; memoryless
-/// @cite lindstrom1998, it carries those of the faces around it now.
+/// both ends. Accumulated, a vertex carries the planes of all that was merged into it. Memoryless
+/// @cite lindstrom1998, it carries those of the faces around it now, keeps the volume, and remembers
+/// the input a little (docs/decisions/memoryless-quadrics.md).
 class QuadricMetric {
  public:
-  QuadricMetric(const WorkingMesh& mesh, const EdgeCollapseParams& params) : mesh_(mesh), params_(params) {}
+  QuadricMetric(const WorkingMesh& mesh, const EdgeCollapseParams& params)
+      : mesh_(mesh), params_(params), memoryless_(params.quadrics == Quadrics::Memoryless) {}
 
   void initialize(const Parallel& parallel) {
-    constraint_ = ConstraintQuadrics(mesh_, params_, params_.plane_weight).build();
-    quadric_.resize(mesh_.position.size());
-    parallel.for_each(static_cast<int>(quadric_.size()), [this](int v) { recompute(v); });
-    if (params_.quadrics == Quadrics::Accumulated) constraint_ = {};  // from now on inside quadric_
+    const std::vector<Quadric> constraints = ConstraintQuadrics(mesh_, params_, params_.plane_weight).build();
+    carried_.resize(mesh_.position.size());
+    quadric_.resize(memoryless_ ? carried_.size() : 0);
+    gradient_.resize(quadric_.size());
+    parallel.for_each(static_cast<int>(carried_.size()), [&](int v) {
+      carried_[v].a = plane_matrix(mesh_, v, params_.plane_weight) * (memoryless_ ? memory : 1.0);
+      if (!constraints.empty()) carried_[v] += constraints[v];
+      if (memoryless_) recompute(v);
+    });
   }
 
   std::optional<Candidate> evaluate(Edge edge, Allowed allowed) const {
     const Vector3 &a = mesh_.position[edge.a], &b = mesh_.position[edge.b];
     const Vector3 half = 0.5 * (b - a);
-    const Quadric q = quadric_[edge.a].with_origin_moved(half) + quadric_[edge.b].with_origin_moved(-half);
-    const Placed placed = place(q, half, allowed, params_.placement);
+    const std::vector<Quadric>& quadrics = memoryless_ ? quadric_ : carried_;
+    const Quadric q = quadrics[edge.a].with_origin_moved(half) + quadrics[edge.b].with_origin_moved(-half);
+    const Placed placed = place(q, half, allowed, params_.placement, volume_plane(edge, half, allowed));
     const double cost = std::max(q.value(placed.offset), 0.0);
     if (placed.offset == -half) return Candidate{cost, a, 0.0};  // not rounded: the vertex itself
     if (placed.offset == half) return Candidate{cost, b, 1.0};
@@ -39,28 +47,42 @@ class QuadricMetric {
 
   /// ring: the neighbours of collapse.keep.
   void merge(const Collapse& collapse, const std::vector<int>& ring) {
-    if (params_.quadrics == Quadrics::Accumulated) return add(quadric_, collapse);
-    if (!constraint_.empty()) add(constraint_, collapse);
-    recompute(collapse.keep);
+    const auto [keep, gone, keep_was, gone_was, now, t] = collapse;
+    carried_[keep] = carried_[keep].with_origin_moved(now - keep_was) + carried_[gone].with_origin_moved(now - gone_was);
+    if (!memoryless_) return;
+    recompute(keep);
     for (int v : ring) recompute(v);
   }
 
  private:
+  /// How much of the input's planes a memoryless vertex carries: enough that thin parts are not
+  /// worn away collapse by collapse, too little to show elsewhere.
+  static constexpr double memory = 0.1;
+
   void recompute(int v) {
-    quadric_[v] = constraint_.empty() ? Quadric{} : constraint_[v];
-    quadric_[v].a += plane_quadric(mesh_, v, params_.plane_weight);
+    quadric_[v] = carried_[v];
+    quadric_[v].a += plane_matrix(mesh_, v, params_.plane_weight);
+    gradient_[v] = volume_gradient(mesh_, v);
   }
 
-  void add(std::vector<Quadric>& quadrics, const Collapse& collapse) const {
-    const Vector3& now = mesh_.position[collapse.keep];
-    quadrics[collapse.keep] = quadrics[collapse.keep].with_origin_moved(now - collapse.keep_was) +
-                              quadrics[collapse.gone].with_origin_moved(now - collapse.gone_was);
+  /// The two faces at the edge lie around both ends and count once. None where the volume is not
+  /// defined: on boundaries and curves.
+  std::optional<VolumePlane> volume_plane(Edge edge, const Vector3& half, Allowed allowed) const {
+    if (!memoryless_ || allowed != Allowed::Anywhere || params_.placement != Placement::Optimal ||
+        mesh_.kind[edge.a] != VertexKind::Interior)
+      return std::nullopt;
+    Vector3 gradient = gradient_[edge.a] + gradient_[edge.b];
+    for (int f : mesh_.connectivity.faces_of(edge.a))
+      if (mesh_.connectivity.face_has(f, edge.b)) gradient -= mesh_.plane[f].area * mesh_.plane[f].normal;
+    return VolumePlane{gradient, half.dot(gradient_[edge.b] - gradient_[edge.a])};
   }
 
   const WorkingMesh& mesh_;
   const EdgeCollapseParams& params_;
-  std::vector<Quadric> quadric_;     // by vertex, about the vertex
-  std::vector<Quadric> constraint_;  // by vertex, about the vertex; empty: none
+  const bool memoryless_;
+  std::vector<Quadric> carried_;   // by vertex, about the vertex: summed along the collapses
+  std::vector<Quadric> quadric_;   // by vertex, about the vertex: carried_ and the current faces
+  std::vector<Vector3> gradient_;  // by vertex: volume_gradient
 };
 
 }  // namespace curvdecim

@@ -46,7 +46,10 @@ class EdgeCollapse {
         around_(mesh.connectivity.vertex_slots()),
         marks_(mesh.connectivity.vertex_slots()),
         rule_(mesh, params),
-        cos_normal_(params.preserve_normal ? std::cos(params.normal_angle * (M_PI / 180.0)) : -1.0) {}
+        input_normal_(mesh.plane.size()),
+        cos_normal_(params.preserve_normal ? std::cos(params.normal_angle * (M_PI / 180.0)) : -1.0) {
+    for (std::size_t f = 0; f < input_normal_.size(); ++f) input_normal_[f] = mesh.plane[f].normal;
+  }
 
   void add_observer(CollapseObserver& observer) { observers_.push_back(&observer); }
 
@@ -139,7 +142,9 @@ class EdgeCollapse {
     for (int f : around_.star()) {
       const Triangle triangle = triangle_after(mesh_, f, around_.edge(), candidate.position);
       const FacePlane after = face_plane(triangle);
-      if (turns_too_far(mesh_.plane[f], after, cos_normal_)) return Rejection::NormalFlip;
+      if (turns_too_far(mesh_.plane[f].normal, after, cos_normal_) ||
+          turns_too_far(input_normal_[f], after, cos_normal_))
+        return Rejection::NormalFlip;
       if (spoils_shape(shape_quality(mesh_.triangle(f), mesh_.plane[f].area), shape_quality(triangle, after.area),
                        least_shape_quality))
         return Rejection::TriangleShape;
@@ -215,6 +220,7 @@ class EdgeCollapse {
   EdgeNeighborhood around_;
   VertexMarks marks_;
   const CollapseRule rule_;
+  std::vector<Vector3> input_normal_;  // by face: turns are counted from here, so that many small ones cannot flip it
   const double cos_normal_;
   std::vector<int> ring_;
   std::vector<Option> options_;

@@ -27,17 +27,18 @@ inline Placed place_endpoint_or_midpoint(const Quadric& q, const Vector3& half) 
   return q.c < q.value(end.offset) ? place_at(half, 0.5) : end;
 }
 
-inline Placed place_optimal(const Quadric& q, const Vector3& half) {
-  const Vector3 offset = optimal_offset(q);
+inline Placed place_optimal(const Quadric& q, const Vector3& half, const std::optional<VolumePlane>& volume) {
+  const Vector3 offset = optimal_offset(q, volume, 2.0 * half.norm());
   return {offset, parameter_along(half, offset)};
 }
 
-/// q: the quadric of the merged vertex about the midpoint of the edge.
-inline Placed place(const Quadric& q, const Vector3& half, Allowed allowed, Placement placement) {
+/// q: the quadric of the merged vertex about the midpoint of the edge. volume: for Optimal only.
+inline Placed place(const Quadric& q, const Vector3& half, Allowed allowed, Placement placement,
+                    const std::optional<VolumePlane>& volume = std::nullopt) {
   if (allowed == Allowed::OntoA) return place_at(half, 0.0);
   if (allowed == Allowed::OntoB) return place_at(half, 1.0);
   switch (placement) {
-    case Placement::Optimal: return place_optimal(q, half);
+    case Placement::Optimal: return place_optimal(q, half, volume);
     case Placement::Line: return place_at(half, parameter_of_minimum(q, half));
     case Placement::EndpointOrMidpoint: return place_endpoint_or_midpoint(q, half);
     case Placement::HalfEdge: break;
