@@ -2,10 +2,10 @@
 #pragma once
 
 #include <chrono>
-#include <cmath>
-#include <string>
+#include <optional>
 
 #include "vcg_ext/dispatch.h"
+#include "vcg_ext/mesh/attribute_notes.h"
 #include "vcg_ext/mesh/decimation_setup.h"
 #include "vcg_ext/mesh/write_back.h"
 #include "vcg_ext/operators/edge_collapse.h"
@@ -32,12 +32,15 @@ DecimationReport decimate_edge_collapse(MeshType& mesh, const EdgeCollapseParams
   const StopCriterion stop = set_up(mesh, params, snapshot, report);
   if (!stop.reached(snapshot.mesh.connectivity)) {
     BlendRecord blend;
+    std::optional<WedgeTexture> wedges = read_wedges(mesh, snapshot);
+    note_attributes(mesh, snapshot, wedges, report);
     with_metric(snapshot.mesh, params, snapshot.diagonal, [&](auto metric) {
       EdgeCollapse operation(snapshot.mesh, metric, params, stop);
       operation.add_observer(blend);
+      if (wedges) operation.add_observer(*wedges);
       operation.run(Parallel(params.threads), progress, report);
     });
-    if (report.stopped_by != StopReason::Cancelled) WriteBack<MeshType>(mesh, snapshot).run(blend.steps());
+    if (report.stopped_by != StopReason::Cancelled) WriteBack<MeshType>(mesh, snapshot).run(blend.steps(), wedges);
   }
   finish(mesh, report);
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

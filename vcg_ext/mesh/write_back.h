@@ -5,10 +5,12 @@
 #include <vcg/complex/allocate.h>
 #include <vcg/complex/complex.h>
 
+#include <optional>
 #include <vector>
 
 #include "vcg_ext/mesh/attribute_blend.h"
 #include "vcg_ext/mesh/snapshot.h"
+#include "vcg_ext/mesh/wedge_texture.h"
 
 namespace curvdecim {
 
@@ -19,11 +21,14 @@ class WriteBack {
  public:
   WriteBack(MeshType& mesh, const Snapshot& snapshot) : mesh_(mesh), snapshot_(snapshot) {}
 
-  void run(const std::vector<BlendStep>& steps) {
+  /// wedges: where the mesh has wedge texture coordinates.
+  void run(const std::vector<BlendStep>& steps, const std::optional<WedgeTexture>& wedges) {
     blend_attributes(steps);
+    if (wedges) write_wedges(*wedges);
     move_vertices();
+    delete_unused_vertices();
     connect_faces();
-    delete_unused();
+    clear_polygon_edges();
     clear_adjacency();
     vcg::tri::Allocator<MeshType>::CompactEveryVector(mesh_);
     vcg::tri::UpdateBounding<MeshType>::Box(mesh_);
@@ -59,9 +64,28 @@ class WriteBack {
     for (int f : snapshot_.unusable) vcg::tri::Allocator<MeshType>::DeleteFace(mesh_, mesh_.face[f]);
   }
 
-  void delete_unused() {
-    for (int v = 0; v < connectivity().vertex_slots(); ++v)
-      if (!in_use(v)) vcg::tri::Allocator<MeshType>::DeleteVertex(mesh_, vertex(v));
+  /// Those that lost their last face, be it by a collapse or by a repair.
+  void delete_unused_vertices() {
+    std::vector<bool> unused(mesh_.vert.size(), false);
+    for (int f : snapshot_.unusable)
+      for (int i = 0; i < 3; ++i) unused[vcg::tri::Index(mesh_, mesh_.face[f].cV(i))] = true;
+    for (int v = 0; v < connectivity().vertex_slots(); ++v) unused[snapshot_.vertex_of[v]] = !in_use(v);
+    for (std::size_t v = 0; v < unused.size(); ++v)
+      if (unused[v]) vcg::tri::Allocator<MeshType>::DeleteVertex(mesh_, mesh_.vert[v]);
+  }
+
+  /// Marks of edges inside polygons mean nothing once the polygons are cut.
+  void clear_polygon_edges() {
+    for (auto& f : mesh_.face) f.ClearAllF();
+  }
+
+  void write_wedges(const WedgeTexture& wedges) {
+    for (int f = 0; f < connectivity().face_slots(); ++f)
+      for (int i = 0; i < 3 && connectivity().alive(f); ++i) {
+        auto& texture = mesh_.face[snapshot_.face_of[f]].WT(i);
+        texture.u() = static_cast<decltype(texture.u() + 0)>(wedges.of_face(f)[i].u);
+        texture.v() = static_cast<decltype(texture.v() + 0)>(wedges.of_face(f)[i].v);
+      }
   }
 
   /// Compaction follows these pointers; after the collapses they lead nowhere.

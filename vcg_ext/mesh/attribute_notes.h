@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vcg/complex/complex.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "vcg_ext/mesh/snapshot.h"
+#include "vcg_ext/mesh/wedge_texture.h"
+#include "vcg_ext/report.h"
+
+namespace curvdecim {
+
+/// The wedge texture coordinates of the working faces, if the mesh has them.
+template <class MeshType>
+std::optional<WedgeTexture> read_wedges(const MeshType& mesh, const Snapshot& snapshot) {
+  if (!vcg::tri::HasPerWedgeTexCoord(mesh)) return std::nullopt;
+  std::vector<FaceWedges> wedges(snapshot.face_of.size());
+  for (std::size_t f = 0; f < wedges.size(); ++f)
+    for (int i = 0; i < 3; ++i) {
+      const auto& texture = mesh.face[snapshot.face_of[f]].cWT(i);
+      wedges[f][i] = {double(texture.u()), double(texture.v()), texture.n()};
+    }
+  return WedgeTexture(std::move(wedges));
+}
+
+/// True if one vertex has different texture coordinates in different faces.
+inline bool has_seams(const WorkingMesh& mesh, const WedgeTexture& wedges) {
+  std::vector<const WedgeCoordinate*> first(mesh.position.size(), nullptr);
+  for (int f = 0; f < mesh.connectivity.face_slots(); ++f)
+    for (int i = 0; i < 3; ++i) {
+      const WedgeCoordinate*& known = first[mesh.connectivity.face(f)[i]];
+      if (!known) known = &wedges.of_face(f)[i];
+      if (!(*known == wedges.of_face(f)[i])) return true;
+    }
+  return false;
+}
+
+/// What is not carried in full.
+template <class MeshType>
+void note_attributes(const MeshType& mesh, const Snapshot& snapshot, const std::optional<WedgeTexture>& wedges,
+                     DecimationReport& report) {
+  if (wedges && has_seams(snapshot.mesh, *wedges))
+    report.notes.push_back("The texture has seams. Its coordinates are carried, but seams may shift a little.");
+  for (const auto& face : mesh.face)
+    if (!face.IsD() && face.IsAnyF()) {
+      report.notes.push_back("Marks of edges inside polygons (faux edges) are dropped: the result is triangles.");
+      break;
+    }
+  if (!mesh.vert_attr.empty())
+    report.notes.push_back("Custom vertex attributes stay with the vertices that remain; they are not interpolated.");
+}
+
+}  // namespace curvdecim

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <limits>
+#include <vector>
+
+#include "vcg_ext/geometry/closest_point.h"
+#include "vcg_ext/operators/collapse_observer.h"
+
+namespace curvdecim {
+
+/// Texture coordinates of one corner of a face.
+struct WedgeCoordinate {
+  double u = 0.0, v = 0.0;
+  int page = 0;  // texture image
+
+  bool operator==(const WedgeCoordinate& o) const { return u == o.u && v == o.v && page == o.page; }
+};
+
+using FaceWedges = std::array<WedgeCoordinate, 3>;
+
+/// Carries wedge texture coordinates through the collapses. The corners around the edge fall into
+/// charts: those at one vertex with the same coordinates, and those that a face at the edge joins.
+/// All corners of a chart take the coordinates of the chart's surface point nearest to the merged
+/// vertex, so that a chart does not tear and two charts do not mix.
+class WedgeTexture : public CollapseObserver {
+ public:
+  explicit WedgeTexture(std::vector<FaceWedges> wedges) : wedges_(std::move(wedges)) {}
+
+  void before(const WorkingMesh& mesh, const EdgeNeighborhood& around, const Collapse& collapse) override {
+    charts_.clear();
+    for (int f : around.wings()) join_chart(mesh, f, collapse);
+    for (int f : around.star()) join_chart(mesh, f, collapse);
+    for (const Chart& chart : charts_) move_corners(mesh, chart, around, collapse);
+  }
+
+  const FaceWedges& of_face(int f) const { return wedges_[f]; }
+
+ private:
+  struct Corner {
+    int vertex;
+    WedgeCoordinate at;
+  };
+  struct Chart {
+    std::vector<Corner> corners;
+    std::vector<int> faces;
+  };
+
+  void join_chart(const WorkingMesh& mesh, int f, const Collapse& collapse) {
+    std::vector<Corner> corners;
+    for (int i = 0; i < 3; ++i)
+      if (const int v = mesh.connectivity.face(f)[i]; v == collapse.keep || v == collapse.gone)
+        corners.push_back({v, wedges_[f][i]});
+    for (Chart& chart : charts_)
+      if (shares_corner(chart, corners)) {
+        chart.corners.insert(chart.corners.end(), corners.begin(), corners.end());
+        chart.faces.push_back(f);
+        return;
+      }
+    charts_.push_back({corners, {f}});
+  }
+
+  static bool shares_corner(const Chart& chart, const std::vector<Corner>& corners) {
+    for (const Corner& known : chart.corners)
+      for (const Corner& corner : corners)
+        if (known.vertex == corner.vertex && known.at == corner.at) return true;
+    return false;
+  }
+
+  /// Corners of a vertex that stays keep their bits.
+  void move_corners(const WorkingMesh& mesh, const Chart& chart, const EdgeNeighborhood& around,
+                    const Collapse& collapse) {
+    const WedgeCoordinate moved = nearest(mesh, chart, collapse.now);
+    const bool keep_stays = collapse.now == collapse.keep_was;
+    for (int f : chart.faces)
+      for (int i = 0; i < 3; ++i) {
+        const int v = mesh.connectivity.face(f)[i];
+        if (is_wing(around, f)) continue;  // goes anyway, and others still read it
+        if (v == collapse.gone || (v == collapse.keep && !keep_stays)) wedges_[f][i] = moved;
+      }
+  }
+
+  static bool is_wing(const EdgeNeighborhood& around, int f) {
+    for (int wing : around.wings())
+      if (wing == f) return true;
+    return false;
+  }
+
+  WedgeCoordinate nearest(const WorkingMesh& mesh, const Chart& chart, const Vector3& x) const {
+    WedgeCoordinate result;
+    double least = std::numeric_limits<double>::infinity();
+    for (int f : chart.faces) {
+      const Triangle triangle = mesh.triangle(f);
+      const Barycentric w = closest_point(triangle, x);
+      const double distance2 = (at(triangle, w) - x).squaredNorm();
+      if (distance2 >= least) continue;
+      least = distance2;
+      result = {0.0, 0.0, wedges_[f][0].page};
+      for (int i = 0; i < 3; ++i) result.u += w[i] * wedges_[f][i].u, result.v += w[i] * wedges_[f][i].v;
+    }
+    return result;
+  }
+
+  std::vector<FaceWedges> wedges_;  // by face
+  std::vector<Chart> charts_;       // scratch
+};
+
+}  // namespace curvdecim
