@@ -25,9 +25,10 @@ template <class MeshType>
 DecimationReport decimate_edge_collapse(MeshType& mesh, const EdgeCollapseParams& requested,
                                         const Progress& progress = {}) {
   const auto start = std::chrono::steady_clock::now();
-  const EdgeCollapseParams params = with_preset(requested);
-  validate(params);
+  validate(requested);
+  EdgeCollapseParams params = with_preset(requested);
   Snapshot snapshot = take_snapshot(mesh);
+  params.max_error /= snapshot.diagonal;
   DecimationReport report = initial_report(mesh);
   const StopCriterion stop = set_up(mesh, params, snapshot, report);
   if (!stop.reached(snapshot.mesh.connectivity)) {
@@ -42,6 +43,7 @@ DecimationReport decimate_edge_collapse(MeshType& mesh, const EdgeCollapseParams
     });
     if (report.stopped_by != StopReason::Cancelled) WriteBack<MeshType>(mesh, snapshot).run(blend.steps(), wedges);
   }
+  report.max_error *= snapshot.diagonal;
   finish(mesh, report);
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return report;

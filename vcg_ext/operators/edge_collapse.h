@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "vcg_ext/guard/collapse_rule.h"
+#include "vcg_ext/guard/error_bound.h"
 #include "vcg_ext/guard/link_condition.h"
 #include "vcg_ext/guard/normal_flip.h"
 #include "vcg_ext/guard/triangle_after.h"
@@ -46,6 +47,7 @@ class EdgeCollapse {
         around_(mesh.connectivity.vertex_slots()),
         marks_(mesh.connectivity.vertex_slots()),
         rule_(mesh, params),
+        bound_(mesh, params.max_error),
         input_normal_(mesh.plane.size()),
         cos_normal_(params.preserve_normal ? std::cos(params.normal_angle * (M_PI / 180.0)) : -1.0) {
     for (std::size_t f = 0; f < input_normal_.size(); ++f) input_normal_[f] = mesh.plane[f].normal;
@@ -53,7 +55,7 @@ class EdgeCollapse {
 
   void add_observer(CollapseObserver& observer) { observers_.push_back(&observer); }
 
-  /// Fills cost_last, rejected and stopped_by of the report.
+  /// Fills max_error (in the unit of the working mesh), cost_last, rejected and stopped_by.
   void run(const Parallel& parallel, const Progress& progress, DecimationReport& report) {
     report_ = &report;
     metric_.initialize(parallel);
@@ -63,6 +65,9 @@ class EdgeCollapse {
       fill_queue(parallel);
       report.stopped_by = empty_queue(progress);
     } while (report.stopped_by == StopReason::NothingLeft && mesh_.connectivity.face_count() < before);
+    report.max_error = bound_.largest();
+    if (report.stopped_by == StopReason::NothingLeft && rejected(Rejection::ErrorBound) > 0)
+      report.stopped_by = StopReason::ErrorBound;
   }
 
  private:
@@ -79,7 +84,7 @@ class EdgeCollapse {
       }
       around_.gather(mesh_.connectivity, edge);
       if (const auto reason = refusal(*candidate)) {
-        count(*reason);
+        ++rejected(*reason);
         queue_next_best(edge.a);
         continue;
       }
@@ -137,7 +142,7 @@ class EdgeCollapse {
 
   // --- guards -----------------------------------------------------------------------------------
 
-  std::optional<Rejection> refusal(const Candidate& candidate) const {
+  std::optional<Rejection> refusal(const Candidate& candidate) {
     if (params_.preserve_topology && !satisfies_link_condition(mesh_, around_)) return Rejection::LinkCondition;
     for (int f : around_.star()) {
       const Triangle triangle = triangle_after(mesh_, f, around_.edge(), candidate.position);
@@ -149,10 +154,11 @@ class EdgeCollapse {
                        least_shape_quality))
         return Rejection::TriangleShape;
     }
+    if (bound_.active() && !bound_.allows(bound_.after(mesh_, around_, candidate.position))) return Rejection::ErrorBound;
     return std::nullopt;
   }
 
-  void count(Rejection reason) { ++report_->rejected[static_cast<std::size_t>(reason)]; }
+  std::int64_t& rejected(Rejection reason) { return report_->rejected[static_cast<std::size_t>(reason)]; }
 
   // --- collapse ---------------------------------------------------------------------------------
 
@@ -163,6 +169,7 @@ class EdgeCollapse {
     const int keep = keep_b ? b : a, gone = keep_b ? a : b;
     const Collapse done{keep, gone, mesh_.position[keep], mesh_.position[gone], candidate.position,
                         keep_b ? 1.0 - candidate.t : candidate.t};
+    if (bound_.active()) bound_.set(around_, bound_.after(mesh_, around_, candidate.position));
     for (CollapseObserver* observer : observers_) observer->before(mesh_, around_, done);
     mesh_.position[keep] = candidate.position;
     mesh_.connectivity.collapse(keep, gone);
@@ -220,6 +227,7 @@ class EdgeCollapse {
   EdgeNeighborhood around_;
   VertexMarks marks_;
   const CollapseRule rule_;
+  ErrorBound bound_;
   std::vector<Vector3> input_normal_;  // by face: turns are counted from here, so that many small ones cannot flip it
   const double cos_normal_;
   std::vector<int> ring_;
