@@ -15,13 +15,22 @@ class Parallel {
   explicit Parallel(int threads)
       : threads_(threads > 0 ? threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()))) {}
 
+  /// work(i) for every i below count.
   template <class Work>
   void for_each(int count, Work work) const {
+    for_ranges(count, [&](int begin, int end) {
+      for (int i = begin; i < end; ++i) work(i);
+    });
+  }
+
+  /// work(begin, end) for ranges that cover 0..count, for work that needs scratch of its own.
+  template <class Work>
+  void for_ranges(int count, Work work) const {
     constexpr int least_per_thread = 4096;  // below it a thread costs more than it gives
     const int parts = std::clamp(count / least_per_thread, 1, threads_);
     const auto run_part = [&](int part) {
-      const auto end = static_cast<long long>(count) * (part + 1) / parts;
-      for (auto i = static_cast<long long>(count) * part / parts; i < end; ++i) work(static_cast<int>(i));
+      const auto bound = [&](long long p) { return static_cast<int>(p * count / parts); };
+      work(bound(part), bound(part + 1));
     };
     std::vector<std::thread> workers;
     for (int part = 1; part < parts; ++part) workers.emplace_back(run_part, part);

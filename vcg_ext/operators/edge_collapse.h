@@ -236,10 +236,20 @@ class EdgeCollapse {
   DecimationReport* report_ = nullptr;
 };
 
-/// In parallel: every thread has scratch of its own, every vertex its own result.
 template <class MetricType>
-void EdgeCollapse<MetricType>::fill_queue(const Parallel&) {
-  for (int v = 0; v < mesh_.connectivity.vertex_slots(); ++v) requeue(v);
+void EdgeCollapse<MetricType>::fill_queue(const Parallel& parallel) {
+  const int count = mesh_.connectivity.vertex_slots();
+  std::vector<Option> best(count, Option{0.0, EdgeQueue::none});
+  parallel.for_ranges(count, [&](int begin, int end) {
+    VertexMarks marks(count);
+    std::vector<Option> options;
+    for (int v = begin; v < end; ++v) {
+      gather_options(v, marks, options);
+      if (!options.empty()) best[v] = *std::min_element(options.begin(), options.end());
+    }
+  });
+  for (int v = 0; v < count; ++v)
+    if (best[v].partner != EdgeQueue::none) queue_.set({v, best[v].partner}, best[v].cost);
 }
 
 }  // namespace curvdecim
