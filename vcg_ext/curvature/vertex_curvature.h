@@ -25,15 +25,23 @@ struct VertexCurvature {
   }
 };
 
+/// Angle at corner i of face f, in radians.
+inline double corner_angle(const WorkingMesh& mesh, int f, int i) {
+  const Triangle t = mesh.triangle(f);
+  return corner_angle(t[i], t[(i + 1) % 3], t[(i + 2) % 3]);
+}
+
 /// All zero where the faces around have no area. On the boundary the full angle is pi.
-inline VertexCurvature vertex_curvature(const WorkingMesh& mesh, int v) {
+/// angle_at(f, i): corner_angle, or what is remembered of it.
+template <class AngleAt>
+VertexCurvature vertex_curvature(const WorkingMesh& mesh, int v, AngleAt angle_at) {
   double angles = 0.0, area = 0.0;
   Vector3 gradient = Vector3::Zero(), normal = Vector3::Zero();
   for (int f : mesh.connectivity.faces_of(v)) {
     const Face& face = mesh.connectivity.face(f);
     const int i = mesh.connectivity.corner(f, v);
     const Vector3 &b = mesh.position[face[(i + 1) % 3]], &c = mesh.position[face[(i + 2) % 3]];
-    angles += corner_angle(mesh.position[v], b, c);
+    angles += angle_at(f, i);
     area += mesh.plane[f].area / 3.0;
     gradient += 0.5 * mesh.plane[f].normal.cross(c - b);
     normal += mesh.plane[f].area * mesh.plane[f].normal;
@@ -42,6 +50,10 @@ inline VertexCurvature vertex_curvature(const WorkingMesh& mesh, int v) {
   if (!(area > 0.0) || !(length > 0.0)) return {};
   const double full = mesh.kind[v] == VertexKind::Boundary ? M_PI : 2.0 * M_PI;
   return {(full - angles) / area, gradient.dot(normal) / (2.0 * area * length), area};
+}
+
+inline VertexCurvature vertex_curvature(const WorkingMesh& mesh, int v) {
+  return vertex_curvature(mesh, v, [&](int f, int i) { return corner_angle(mesh, f, i); });
 }
 
 }  // namespace curvdecim

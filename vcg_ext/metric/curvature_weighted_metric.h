@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -22,6 +23,8 @@ class CurvatureWeightedMetric {
     const std::vector<VertexCurvature> curvature = vertex_curvatures(mesh_, parallel);
     weight_ = curvature_weight(params_, curvature, diagonal_);
     for (const VertexCurvature& c : curvature) curvature_.push_back(c.of_kind(params_.curvature_kind));
+    angles_.resize(mesh_.plane.size());
+    parallel.for_each(static_cast<int>(angles_.size()), [this](int f) { update_angles(f); });
   }
 
   std::optional<Candidate> evaluate(Edge edge, Allowed allowed) const {
@@ -32,18 +35,27 @@ class CurvatureWeightedMetric {
 
   void merge(const Collapse& collapse, const std::vector<int>& ring) {
     quadric_.merge(collapse, ring);
+    for (int f : mesh_.connectivity.faces_of(collapse.keep)) update_angles(f);
     update(collapse.keep);
     for (int v : ring) update(v);
   }
 
  private:
-  void update(int v) { curvature_[v] = vertex_curvature(mesh_, v).of_kind(params_.curvature_kind); }
+  void update(int v) {
+    const auto remembered = [this](int f, int i) { return angles_[f][i]; };
+    curvature_[v] = vertex_curvature(mesh_, v, remembered).of_kind(params_.curvature_kind);
+  }
+
+  void update_angles(int f) {
+    for (int i = 0; i < 3; ++i) angles_[f][i] = corner_angle(mesh_, f, i);
+  }
 
   const WorkingMesh& mesh_;
   const EdgeCollapseParams& params_;
   const double diagonal_;
   QuadricMetric quadric_;
   CurvatureWeight weight_;
+  std::vector<std::array<double, 3>> angles_;  // by face and corner: most stay as they are in a collapse
   std::vector<double> curvature_;  // by vertex, of the current mesh in its box of diagonal 1
 };
 
