@@ -1,0 +1,21 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Targets for the header-only core:
+#   curvdecim_core      include directory, Eigen, threads and the flags every user of the core needs
+#   vcg_ext             the same with the newest vcglib, for tests and benchmarks
+#   curvdecim_warnings  the warnings our own sources are free of
+
+find_package(Eigen3 REQUIRED NO_MODULE)
+find_package(Threads REQUIRED)
+
+add_library(curvdecim_core INTERFACE)
+target_include_directories(curvdecim_core INTERFACE ${PROJECT_SOURCE_DIR})
+target_compile_features(curvdecim_core INTERFACE cxx_std_17)
+# A fused multiply-add rounds once instead of twice: results would differ from machine to machine.
+target_compile_options(curvdecim_core INTERFACE -ffp-contract=off)
+target_link_libraries(curvdecim_core INTERFACE Eigen3::Eigen Threads::Threads)
+
+add_library(vcg_ext INTERFACE)
+target_link_libraries(vcg_ext INTERFACE curvdecim_core meshlab-headers-${CURVDECIM_NEWEST_MESHLAB})
+
+add_library(curvdecim_warnings INTERFACE)
+target_compile_options(curvdecim_warnings INTERFACE -Wall -Wextra -Wshadow)

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "filter_curvdecim/decimation_task.h"
+
+#include "filter_curvdecim/filter_parameters.h"
+
+namespace curvdecim {
+
+std::string log_line(const Result& result) {
+  struct Text {
+    std::string operator()(std::int64_t number) const { return std::to_string(number); }
+    std::string operator()(double number) const { return decimal(number); }
+    std::string operator()(StopReason reason) const { return to_string(reason); }
+  };
+  return result.name + ": " + std::visit(Text(), result.value);
+}
+
+Outcome outcome_of(const DecimationReport& report, const DecimationParams& params) {
+  Outcome outcome;
+  outcome.results = {{"faces_before", report.faces_before},
+                     {"faces", report.faces},
+                     {"vertices_before", report.vertices_before},
+                     {"vertices", report.vertices},
+                     {"stopped_by", report.stopped_by}};
+  if (params.max_error > 0.0) outcome.results.push_back({"max_error", report.max_error});
+  outcome.results.push_back({"cost_last", report.cost_last});
+  for (std::size_t reason = 0; reason < rejection_names.size(); ++reason)
+    outcome.results.push_back(
+        {std::string("rejected_") + rejection_names[reason], report.rejected[reason]});
+  outcome.results.push_back({"seconds", report.seconds});
+  outcome.notes = report.notes;
+  outcome.mesh_changed =
+      report.faces != report.faces_before || report.vertices != report.vertices_before;
+  return outcome;
+}
+
+double percentile(const std::vector<double>& sorted, double fraction) {
+  return sorted[static_cast<std::size_t>(fraction * static_cast<double>(sorted.size() - 1))];
+}
+
+}  // namespace curvdecim

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <limits>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "filter_curvdecim/filter_texts.h"
+#include "vcg_ext/params.h"
+
+namespace curvdecim {
+
+/// The core's parameters of every filter.
+struct Settings {
+  EdgeCollapseParams edge_collapse;
+  ImportanceParams importance;
+};
+
+/// What a host shows, and in which type it hands the value over: an Enum as int, a Length
+/// (absolute, or per cent of the bounding box's diagonal) as double in the mesh's unit.
+enum class Kind { Bool, Int, Float, Length, Enum };
+using Value = std::variant<bool, int, double>;
+
+struct Range {
+  double low = -std::numeric_limits<double>::infinity();
+  double high = std::numeric_limits<double>::infinity();
+  bool low_excluded = false;
+};
+
+struct EnumValue {
+  std::string name;
+  std::string meaning;
+};
+
+/// A default that depends on the mesh; otherwise it is that of the default-constructed parameters.
+enum class MeshDefault { None, HalfOfFaces, FacesSelected };
+
+/// A filter that has the parameter, and the member of its parameters that holds the value.
+struct Binding {
+  FilterId filter;
+  void (*set)(Settings&, const Value&);
+  Value (*get)(const Settings&);
+};
+
+struct Parameter {
+  std::string name;
+  std::string label;
+  Kind kind;
+  Range range;
+  std::string unit;
+  std::string help;  ///< HTML
+  std::vector<EnumValue> values;
+  std::vector<Binding> bindings;
+  MeshDefault mesh_default = MeshDefault::None;
+};
+
+/// What defaults may depend on. Lengths in the mesh's unit.
+struct MeshFacts {
+  int faces = 0;
+  int selected_faces = 0;
+  double diagonal = 0.0;
+};
+
+/// The one table of parameters, in the order of the dialogs.
+const std::vector<Parameter>& parameter_table();
+
+/// The rows of one filter.
+std::vector<const Parameter*> parameters_of(FilterId filter);
+
+Value default_value(const Parameter& parameter, FilterId filter, const MeshFacts& mesh);
+
+/// Throws InputError for a value out of range, and names the parameter, the value and the range.
+void assign(Settings& settings, FilterId filter, const Parameter& parameter, const Value& value);
+
+/// "above 0 and at most 180 degrees"; empty when every finite number is allowed.
+std::string describe(const Range& range, const std::string& unit);
+
+/// The help text and the meaning of the enum values, in HTML.
+std::string full_help(const Parameter& parameter);
+
+/// The shortest decimal number that reads back as this one.
+std::string decimal(double number);
+
+}  // namespace curvdecim

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "filter_curvdecim/filter_texts.h"
+
+#include <algorithm>
+#include <initializer_list>
+
+namespace curvdecim {
+namespace {
+
+struct Reference {
+  const char* authors;
+  const char* title;
+  const char* source;
+};
+
+constexpr Reference garland_heckbert = {"M. Garland, P. S. Heckbert",
+                                        "Surface simplification using quadric error metrics",
+                                        "SIGGRAPH 1997"};
+constexpr Reference lindstrom_turk = {"P. Lindstrom, G. Turk",
+                                      "Fast and memory efficient polygonal simplification",
+                                      "IEEE Visualization 1998"};
+constexpr Reference pellizzoni_savio = {
+    "P. Pellizzoni, G. Savio", "Mesh simplification by curvature-enhanced quadratic error metrics",
+    "Journal of Computer Science 16(8), 2020"};
+constexpr Reference yao = {
+    "L. Yao, S. Huang, H. Xu, P. Li",
+    "Quadratic error metric mesh simplification algorithm based on discrete curvature",
+    "Mathematical Problems in Engineering, 2015"};
+
+/// The list of references as MeshLab asks for it: authors, title, source. The dialog of MeshLab
+/// 2020.09 does not scroll and would be too high for a screen, so each takes one line.
+std::string bibliography(std::initializer_list<Reference> references) {
+  std::string html = "<br>See:";
+  for (const Reference& reference : references)
+    html += "<br><nobr><i>" + std::string(reference.authors) + "</i> <b>\"" + reference.title +
+            "\"</b> " + reference.source + ".</nobr>";
+  return html;
+}
+
+const char* const edge_collapse_info =
+    "Collapse the edges of a triangle mesh, cheapest first, and spend the faces that remain where "
+    "the surface is curved. The cost of an edge is its quadric error (Garland and Heckbert), times "
+    "a factor that grows with the curvature (Pellizzoni and Savio) or plus a term that grows with "
+    "the bend at the edge (Yao and others). A closed manifold stays one; borders and sharp edges "
+    "are kept. The log says what was done. <i>Curvature Importance</i> shows what a setting "
+    "protects.";
+
+const char* const importance_info =
+    "Write to the quality of every vertex, and show as colour, what the metric CurvatureWeighted "
+    "of <i>Simplification: Curvature-Enhanced Edge Collapse</i> sees with the same parameters: the "
+    "curvature, or the factor by which the cost of a collapse is multiplied. Places with high "
+    "values keep their faces longest. The shape of the mesh does not change.<br>"
+    "Red is low and blue is high. Curvature is coloured from its 5th to its 95th percentile, "
+    "because a few spikes would hide the rest; the factor always from 0 to 1, so that settings can "
+    "be compared.";
+
+}  // namespace
+
+const std::vector<FilterText>& filter_texts() {
+  static const std::vector<FilterText> texts = {
+      {FilterId::CurvatureEdgeCollapse, "Simplification: Curvature-Enhanced Edge Collapse",
+       "meshing_decimation_curvature_edge_collapse", Category::Remeshing,
+       edge_collapse_info +
+           bibliography({garland_heckbert, lindstrom_turk, pellizzoni_savio, yao})},
+      {FilterId::CurvatureImportance, "Curvature Importance",
+       "compute_scalar_by_curvature_importance", Category::QualityMeasure,
+       importance_info + bibliography({pellizzoni_savio})},
+  };
+  return texts;
+}
+
+const FilterText& text_of(FilterId id) {
+  const std::vector<FilterText>& texts = filter_texts();
+  return *std::find_if(texts.begin(), texts.end(),
+                       [id](const FilterText& text) { return text.id == id; });
+}
+
+}  // namespace curvdecim

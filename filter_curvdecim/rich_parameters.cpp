@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "filter_curvdecim/rich_parameters.h"
+
+#include <charconv>
+#include <cmath>
+
+#include "vcg_ext/errors.h"
+
+namespace curvdecim {
+namespace {
+
+QStringList names_of(const std::vector<EnumValue>& values) {
+  QStringList names;
+  for (const EnumValue& value : values) names.append(QString::fromStdString(value.name));
+  return names;
+}
+
+/// The hosts keep every number as float, also those in double precision. The shortest decimal that
+/// gives this float is the number that was typed: 0.7, not 0.699999988.
+double as_typed(float number) {
+  if (!std::isfinite(number)) return number;
+  char text[32];
+  const auto end = std::to_chars(text, text + sizeof text, number).ptr;
+  double typed = number;
+  std::from_chars(text, end, typed);
+  return typed;
+}
+
+void add_parameter(RichParameterList& list, const Parameter& parameter, const Value& value,
+                   double diagonal) {
+  const QString name = QString::fromStdString(parameter.name);
+  const QString label = QString::fromStdString(parameter.label);
+  const QString help = QString::fromStdString(full_help(parameter));
+  // The dialog divides by the diagonal to show per cent.
+  const double whole = std::isfinite(diagonal) && diagonal > 0.0 ? diagonal : 1.0;
+  switch (parameter.kind) {
+    case Kind::Bool: list.addParam(RichBool(name, std::get<bool>(value), label, help)); break;
+    case Kind::Int: list.addParam(RichInt(name, std::get<int>(value), label, help)); break;
+    case Kind::Float: list.addParam(RichFloat(name, std::get<double>(value), label, help)); break;
+    case Kind::Length:
+      list.addParam(RichLength(name, std::get<double>(value), 0, whole, label, help));
+      break;
+    case Kind::Enum:
+      list.addParam(RichEnum(name, std::get<int>(value), names_of(parameter.values), label, help));
+      break;
+  }
+}
+
+/// A script may name any type for a parameter; the host's getters do not check it.
+Value read_value(const Parameter& parameter, const ::Value& value) {
+  switch (parameter.kind) {
+    case Kind::Bool:
+      if (value.isBool()) return value.getBool();
+      break;
+    case Kind::Int:
+    case Kind::Enum:
+      if (value.isInt()) return value.getInt();
+      break;
+    case Kind::Float:
+    case Kind::Length:
+      if (value.isFloat()) return as_typed(value.getFloat());
+      break;
+  }
+  throw InputError(parameter.name + " is given as " + value.typeName().toStdString() +
+                   ", which is not its type. The mesh was not changed.");
+}
+
+}  // namespace
+
+RichParameterList rich_parameters(FilterId filter, const MeshFacts& mesh) {
+  RichParameterList list;
+  for (const Parameter* parameter : parameters_of(filter))
+    add_parameter(list, *parameter, default_value(*parameter, filter, mesh), mesh.diagonal);
+  return list;
+}
+
+Settings read_settings(FilterId filter, const RichParameterList& list, const MeshFacts& mesh) {
+  Settings settings;
+  for (const Parameter* parameter : parameters_of(filter)) {
+    const QString name = QString::fromStdString(parameter->name);
+    const Value value = list.hasParameter(name)
+                            ? read_value(*parameter, list.getParameterByName(name).value())
+                            : default_value(*parameter, filter, mesh);
+    assign(settings, filter, *parameter, value);
+  }
+  return settings;
+}
+
+}  // namespace curvdecim

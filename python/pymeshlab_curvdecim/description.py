@@ -1,0 +1,138 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The filters and their parameters, as the plugin itself describes them in parameters.json."""
+
+import html
+import json
+import keyword
+import operator
+import re
+from dataclasses import dataclass
+from typing import Any, Literal
+
+import pymeshlab
+
+from .plugin import parameters_file
+
+Length = float | pymeshlab.PureValue | pymeshlab.PercentageValue
+DEPENDS_ON_MESH = "dynamic"
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """One parameter; its default is None when it depends on the mesh."""
+
+    name: str
+    type: str
+    default: Any
+    label: str
+    help: str
+    values: tuple[str, ...]
+    meanings: tuple[str, ...]
+
+    @property
+    def python_name(self):
+        """In lower case, as PyMeshLab has it: with an underscore after a keyword of Python."""
+        name = self.name.lower()
+        return name + "_" if keyword.iskeyword(name) else name
+
+    @property
+    def annotation(self):
+        types = {"int": int, "float": float, "bool": bool, "length": Length}
+        plain = Literal[self.values] if self.type == "enum" else types[self.type]
+        return plain if self.default is not None else plain | None
+
+    def checked(self, value):
+        """The value as PyMeshLab wants it; an error names the parameter."""
+        try:
+            return _CONVERSIONS[self.type](value, self.values)
+        except (IndexError, TypeError, ValueError) as error:
+            kind = "one of " + ", ".join(self.values) if self.values else f"of type {self.type}"
+            problem = TypeError if isinstance(error, TypeError) else ValueError
+            raise problem(f"{self.python_name} must be {kind}, not {value!r}") from None
+
+
+@dataclass(frozen=True)
+class Filter:
+    """A filter by its name in MeshLab's menu and in Python."""
+
+    menu_name: str
+    python_name: str
+    info: str
+    parameters: tuple[Parameter, ...]
+    stop_reasons: tuple[str, ...]
+
+    def checked(self, given):
+        """The given values by Python name, as PyMeshLab wants them."""
+        known = {each.python_name: each for each in self.parameters}
+        if unknown := ", ".join(given.keys() - known.keys()):
+            raise TypeError(f"{self.python_name} has no {unknown}, only {', '.join(known)}")
+        return {name: known[name].checked(value) for name, value in given.items()}
+
+    def readable(self, report):
+        """What the filter returned, with the text of `stopped_by`: PyMeshLab passes no texts."""
+        reasons = self.stop_reasons
+        return {
+            name: reasons[value] if name == "stopped_by" else value
+            for name, value in report.items()
+        }
+
+
+def read_filters():
+    """The plugin's filters by Python name."""
+    described = json.loads(parameters_file().read_text(encoding="utf-8"))
+    reasons = tuple(described["stop_reasons"])
+    return {each["python_name"]: _filter(each, reasons) for each in described["filters"]}
+
+
+def _filter(described, stop_reasons):
+    return Filter(
+        described["menu_name"],
+        described["python_name"],
+        _plain_text(described["info"]),
+        tuple(_parameter(each) for each in described["parameters"]),
+        stop_reasons,
+    )
+
+
+def _parameter(described):
+    default = described["default"]
+    return Parameter(
+        described["name"],
+        described["type"],
+        None if default == DEPENDS_ON_MESH else default,
+        _plain_text(described["label"]),
+        _plain_text(described["help"]),
+        tuple(each["name"] for each in described["values"]),
+        tuple(_plain_text(each["meaning"]) for each in described["values"]),
+    )
+
+
+def _plain_text(rich):
+    return html.unescape(re.sub(r"<[^>]*>", "", re.sub(r"<br ?/?>", "\n", rich))).strip()
+
+
+def _choice(value, choices):
+    """A choice by its name or its index."""
+    name = value if isinstance(value, str) else choices[operator.index(value)]
+    return choices[choices.index(name)]
+
+
+def _length(value, _):
+    """A plain number is a length in the mesh's unit."""
+    given = isinstance(value, pymeshlab.PureValue | pymeshlab.PercentageValue)
+    return value if given else pymeshlab.PureValue(float(value))
+
+
+def _truth(value, _):
+    if value in (True, False):
+        return bool(value)
+    raise TypeError
+
+
+_CONVERSIONS = {
+    "int": lambda value, _: operator.index(value),
+    "float": lambda value, _: float(value),
+    "bool": _truth,
+    "enum": _choice,
+    "length": _length,
+}

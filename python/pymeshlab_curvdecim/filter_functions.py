@@ -1,0 +1,69 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Makes each filter a Python function, and that function a method of pymeshlab.MeshSet.
+
+PyMeshLab makes methods of its filters when it is imported, so it cannot know of ours.
+"""
+
+import functools
+import inspect
+import textwrap
+
+import pymeshlab
+
+from .description import read_filters
+from .plugin import load_plugin
+
+
+@functools.cache
+def load():
+    """Loads the plugin once; returns the filters by name, each now a method of MeshSet too."""
+    filters = read_filters()
+    if not filters.keys() <= set(pymeshlab.filter_list()):
+        load_plugin()
+    functions = {name: filter_function(each) for name, each in filters.items()}
+    for name, function in functions.items():
+        setattr(pymeshlab.MeshSet, name, function)
+    return functions
+
+
+def filter_function(description):
+    """A function of a MeshSet and the filter's parameters, with a true signature and help."""
+
+    def function(mesh_set, /, **given):
+        name, values = description.python_name, description.checked(given)
+        return description.readable(mesh_set.apply_filter(name, **values))
+
+    function.__name__ = function.__qualname__ = description.python_name
+    function.__module__ = __package__
+    function.__signature__ = _signature(description)
+    function.__doc__ = _documentation(description)
+    return function
+
+
+def _signature(description):
+    mesh_set = inspect.Parameter(
+        "mesh_set", inspect.Parameter.POSITIONAL_ONLY, annotation=pymeshlab.MeshSet
+    )
+    options = [
+        inspect.Parameter(
+            each.python_name,
+            inspect.Parameter.KEYWORD_ONLY,
+            default=each.default,
+            annotation=each.annotation,
+        )
+        for each in description.parameters
+    ]
+    return inspect.Signature([mesh_set, *options], return_annotation=dict)
+
+
+def _documentation(description):
+    sections = [description.info, "Parameters\n----------"]
+    return "\n\n".join(sections + [_help(each) for each in description.parameters])
+
+
+def _help(parameter):
+    choices = zip(parameter.values, parameter.meanings, strict=True)
+    lines = [parameter.label + ".", parameter.help]
+    lines += [f"{name}: {meaning}." for name, meaning in choices]
+    indented = textwrap.indent("\n".join(lines), "    ")
+    return f"{parameter.python_name} : {parameter.type}\n{indented}"

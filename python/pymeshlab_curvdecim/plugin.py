@@ -1,0 +1,50 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Where the plugin is, and how it gets into the installed PyMeshLab."""
+
+import os
+from importlib import metadata
+from pathlib import Path
+
+import pymeshlab
+
+PLUGIN_VARIABLE = "CURVDECIM_PLUGIN"
+PLUGIN_NAME = "libfilter_curvdecim.so"
+PARAMETERS_NAME = "parameters.json"
+
+
+class PluginError(ImportError):
+    """The plugin is missing, or the installed PyMeshLab cannot load it."""
+
+
+def plugin_file():
+    """The plugin named by CURVDECIM_PLUGIN, else the one installed with this package."""
+    named = os.environ.get(PLUGIN_VARIABLE)
+    file = Path(named) if named else Path(__file__).with_name(PLUGIN_NAME)
+    if file.is_file():
+        return file.resolve()
+    source = f"{PLUGIN_VARIABLE} names" if named else "the package should contain"
+    raise PluginError(
+        f"No CurvDecim plugin: {source} {file}, which does not exist. Run 'pip install .' in the "
+        f"CurvDecim repository, or set {PLUGIN_VARIABLE} to the path of a {PLUGIN_NAME}."
+    )
+
+
+def parameters_file():
+    """The description of the parameters, which lies beside the plugin it belongs to."""
+    file = plugin_file().with_name(PARAMETERS_NAME)
+    if not file.is_file():
+        raise PluginError(f"{file} is missing: build the plugin again, both are made together.")
+    return file
+
+
+def load_plugin():
+    """Loads the plugin into PyMeshLab, which refuses one built for another MeshLab."""
+    file = plugin_file()
+    try:
+        pymeshlab.load_plugin(str(file))
+    except pymeshlab.PyMeshLabException as error:
+        raise PluginError(
+            f"PyMeshLab {metadata.version('pymeshlab')} cannot load {file}: {str(error).strip()} "
+            "A plugin fits one version of PyMeshLab: run 'pip install .' in the CurvDecim "
+            "repository again."
+        ) from error

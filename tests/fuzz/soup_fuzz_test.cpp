@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Tiny triangle soups on an integer grid, where degenerate is normal, with random parameters.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <ostream>
+#include <random>
+
+#include "support/decimation.h"
+#include "support/properties.h"
+
+namespace curvdecim::test {
+namespace {
+
+/// Any random choice of the tests: the same sequence on every machine, unlike <random>'s
+/// distributions.
+class Dice {
+ public:
+  explicit Dice(unsigned seed) : engine_(seed) {}
+
+  int below(int end) { return static_cast<int>(engine_() % static_cast<unsigned>(end)); }
+  bool coin() { return below(2) == 1; }
+
+  template <class Value>
+  Value any(std::initializer_list<Value> values) {
+    return values.begin()[below(static_cast<int>(values.size()))];
+  }
+
+ private:
+  std::mt19937 engine_;
+};
+
+Shape random_soup(Dice& dice) {
+  constexpr int side = 3;
+  Shape soup;
+  for (int x = 0; x < side; ++x)
+    for (int y = 0; y < side; ++y)
+      for (int z = 0; z < side; ++z) soup.vertices.push_back(Point(x, y, z));
+  const int vertices = 4 + dice.below(soup.vertex_count() - 3);
+  std::swap(soup.vertices[0], soup.vertices[dice.below(soup.vertex_count())]);
+  soup.vertices.resize(vertices);
+  for (int faces = 4 + dice.below(37); faces > 0; --faces)
+    soup.faces.push_back({dice.below(vertices), dice.below(vertices), dice.below(vertices)});
+  return soup;
+}
+
+/// A grid or a ball with a few faces missing, turned over, bent or given twice.
+Shape damaged_mesh(Dice& dice) {
+  constexpr int cells = 3;
+  Shape mesh;
+  for (int i = 0; i <= cells; ++i)
+    for (int j = 0; j <= cells; ++j) mesh.vertices.push_back(Point(i, j, dice.below(2)));
+  for (int i = 0; i < cells; ++i)
+    for (int j = 0; j < cells; ++j) {
+      const int v = i * (cells + 1) + j, w = v + cells + 1;
+      mesh.faces.push_back({v, w, w + 1});
+      mesh.faces.push_back({v, w + 1, v + 1});
+    }
+  for (int damage = 1 + dice.below(4); damage > 0; --damage) {
+    Corners& face = mesh.faces[dice.below(mesh.face_count())];
+    switch (dice.below(4)) {
+      case 0: face[dice.below(3)] = dice.below(mesh.vertex_count()); break;
+      case 1: std::swap(face[0], face[1]); break;
+      case 2: mesh.faces.erase(mesh.faces.begin() + dice.below(mesh.face_count())); break;
+      case 3: mesh.faces.push_back(face); break;
+    }
+  }
+  return mesh;
+}
+
+EdgeCollapseParams random_params(Dice& dice) {
+  EdgeCollapseParams p;
+  p.target_faces = dice.below(12);
+  p.preset = dice.any({Preset::Custom, Preset::Custom, Preset::Fast, Preset::Balanced, Preset::Best});
+  p.metric = dice.any({Metric::Quadric, Metric::CurvatureWeighted, Metric::CurvatureAdditive});
+  p.alpha = dice.any({-1.0, 1e-3, 1.0, 1e9});
+  p.curvature_floor = dice.any({0.0, 0.5, 1.0});
+  p.alpha_units = dice.any({AlphaUnits::ScaleFree, AlphaUnits::ModelUnits});
+  p.curvature_kind = dice.any({CurvatureKind::Gaussian, CurvatureKind::Absolute});
+  p.curvature_term = dice.any({CurvatureTerm::Melax, CurvatureTerm::Literal});
+  p.quadrics = dice.any({Quadrics::Memoryless, Quadrics::Accumulated});
+  p.plane_weight = dice.any({PlaneWeight::Area, PlaneWeight::Unit});
+  p.placement = dice.any({Placement::Optimal, Placement::Line, Placement::EndpointOrMidpoint, Placement::HalfEdge});
+  p.boundary_weight = dice.any({0.0, 1.0, 1e6});
+  p.feature_angle = dice.any({0.0, 60.0, 180.0});
+  p.normal_angle = dice.any({10.0, 90.0, 180.0});
+  p.preserve_normal = dice.coin();
+  p.preserve_boundary = dice.coin();
+  p.threads = dice.any({1, 2});
+  return p;
+}
+
+/// The faces that the input means: neither degenerate in index nor given twice.
+Shape without_unusable_faces(Shape shape) {
+  std::vector<Corners> kept, seen;
+  for (const Corners& face : shape.faces) {
+    Corners sorted = face;
+    std::sort(sorted.begin(), sorted.end());
+    if (sorted[0] == sorted[1] || sorted[1] == sorted[2] || std::count(seen.begin(), seen.end(), sorted)) continue;
+    seen.push_back(sorted);
+    kept.push_back(face);
+  }
+  shape.faces = kept;
+  return shape;
+}
+
+void expect_sound(const Shape& before, const Shape& after) {
+  const Topology was = topology(before), is = topology(after);
+  EXPECT_TRUE(all_finite(after));
+  EXPECT_EQ(is.faces_with_repeated_index, 0);
+  EXPECT_EQ(is.duplicate_faces, 0);
+  EXPECT_LE(is.unreferenced_vertices, was.unreferenced_vertices);
+  EXPECT_LE(after.face_count(), before.face_count());
+}
+
+void expect_no_worse_topology(const Shape& before, const Shape& after) {
+  const Topology was = topology(before), is = topology(after);
+  EXPECT_LE(is.nonmanifold_edges, was.nonmanifold_edges);
+  EXPECT_LE(is.nonmanifold_vertices, was.nonmanifold_vertices);
+  EXPECT_LE(is.inconsistent_edges, was.inconsistent_edges);
+  EXPECT_EQ(is.components, was.components);
+  EXPECT_EQ(is.boundary_loops, was.boundary_loops);
+  EXPECT_EQ(is.euler, was.euler);
+}
+
+struct Family {
+  const char* name;
+  Shape (*draw)(Dice&);
+};
+
+void PrintTo(const Family& family, std::ostream* out) { *out << family.name; }
+
+class Fuzz : public testing::TestWithParam<Family> {
+ protected:
+  static constexpr int cases = 2500;
+
+  template <class Check>
+  void for_each_case(Check check) {
+    for (unsigned seed = 0; seed < cases && !HasFailure(); ++seed) {
+      SCOPED_TRACE("seed " + std::to_string(seed));
+      Dice dice(seed);
+      const Shape input = GetParam().draw(dice);
+      const EdgeCollapseParams params = random_params(dice);
+      const Shape usable = without_unusable_faces(input);
+      if (!usable.faces.empty()) check(input, usable, params);
+    }
+  }
+};
+
+TEST_P(Fuzz, NeverDamagesTheTopology) {
+  for_each_case([](const Shape& input, const Shape& usable, const EdgeCollapseParams& params) {
+    const auto [after, report] = decimated(input, params);
+    if (input.face_count() <= params.target_faces) {
+      EXPECT_EQ(after, input);
+      return;
+    }
+    expect_sound(usable, after);
+    expect_no_worse_topology(usable, after);
+    EXPECT_TRUE(after.face_count() <= params.target_faces || report.stopped_by == StopReason::NothingLeft);
+  });
+}
+
+TEST_P(Fuzz, IsSoundWithoutTheTopologyGuard) {
+  for_each_case([](const Shape& input, const Shape& usable, EdgeCollapseParams params) {
+    params.preserve_topology = false;
+    const Shape after = decimated(input, params).shape;
+    if (input.face_count() > params.target_faces) expect_sound(usable, after);
+  });
+}
+
+std::string family_name(const testing::TestParamInfo<Family>& info) { return info.param.name; }
+
+INSTANTIATE_TEST_SUITE_P(Random, Fuzz,
+                         testing::Values(Family{"Soup", random_soup}, Family{"DamagedMesh", damaged_mesh}), family_name);
+
+}  // namespace
+}  // namespace curvdecim::test

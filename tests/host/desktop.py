@@ -1,0 +1,72 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A virtual screen, and the keys and clicks of a user on it."""
+
+import subprocess
+import time
+from contextlib import contextmanager
+
+SCREEN = "1280x2000x24"  # high enough for a dialog with its help texts
+
+
+def wait_for(condition, seconds, what):
+    """The first true answer of condition()."""
+    deadline = time.monotonic() + seconds
+    while time.monotonic() < deadline:
+        if answer := condition():
+            return answer
+        time.sleep(0.2)
+    raise AssertionError(f"{what}: not within {seconds} s")
+
+
+@contextmanager
+def running(command, **options):
+    process = subprocess.Popen(command, **options)
+    try:
+        yield process
+    finally:
+        process.terminate()
+        process.wait(timeout=20)
+
+
+@contextmanager
+def screen():
+    """The environment of programs that shall appear on a new virtual screen."""
+    command = ["Xvfb", "-displayfd", "1", "-screen", "0", SCREEN]
+    with running(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True) as server:
+        yield Screen(":" + server.stdout.readline().strip())
+
+
+class Screen:
+    def __init__(self, display):
+        self.environment = {"DISPLAY": display}
+
+    def _run(self, *command):
+        answer = subprocess.run(
+            command,
+            env={"PATH": "/usr/bin:/bin", **self.environment},
+            capture_output=True,
+            text=True,
+        )
+        return answer.stdout
+
+    def keys(self, *names):
+        self._run("xdotool", "key", "--delay", "60", *names)
+
+    def type(self, text):
+        self._run("xdotool", "type", "--delay", "30", text)
+
+    def click(self, x, y):
+        self._run("xdotool", "mousemove", str(x), str(y), "click", "1")
+
+    def windows(self, title):
+        """Ids of the visible windows whose title contains the text."""
+        return self._run("xdotool", "search", "--onlyvisible", "--name", title).split()
+
+    def geometry(self, window):
+        """X, Y, WIDTH and HEIGHT of a window, in pixels."""
+        lines = self._run("xdotool", "getwindowgeometry", "--shell", window).split()
+        pairs = (line.split("=") for line in lines)
+        return {name: int(value) for name, value in pairs}
+
+    def picture(self, file):
+        self._run("import", "-window", "root", str(file))

@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The default decimation of real meshes: count, topology, orientation and distance."""
+
+import pytest
+from measures import flipped_faces, folded_edges, rms_distance, surface, topology
+from samples import decimated, load, original
+
+# MeshLab's filter takes the last call's values where none are given.
+MESHLAB_DEFAULTS = {
+    "targetperc": 0.0,
+    "qualitythr": 0.3,
+    "preserveboundary": False,
+    "boundaryweight": 1.0,
+    "preservenormal": False,
+    "preservetopology": False,
+    "optimalplacement": True,
+    "planarquadric": False,
+    "planarweight": 0.001,
+    "qualityweight": False,
+    "autoclean": True,
+    "selected": False,
+}
+CASES = pytest.mark.parametrize(
+    ("name", "fraction"),
+    [
+        ("cow.obj", 0.2),
+        ("cow.obj", 0.05),
+        ("bone.ply", 0.2),
+        ("bone.ply", 0.05),
+        ("airplane.obj", 0.2),
+        ("airplane.obj", 0.05),
+        ("bunny.obj", 0.2),
+        ("bunny.obj", 0.05),
+        ("fandisk.obj", 0.1),
+        ("rocker-arm.obj", 0.1),
+        ("stanford-bunny.obj", 0.05),
+        ("greek_helmet.obj", 0.2),
+    ],
+)
+
+
+@CASES
+def test_face_count_is_exact(name, fraction):
+    shape, report = decimated(name, fraction)
+    before = len(original(name).faces)
+    target = int(fraction * before)
+    closed = topology(original(name)).boundary_loops == 0
+    reachable = target - (before - target) % 2 if closed else target
+    assert report["stopped_by"] == "target"
+    assert report["faces"] == len(shape.faces)
+    assert reachable - (not closed) <= len(shape.faces) <= reachable
+
+
+@CASES
+def test_topology_stays(name, fraction):
+    before, after = topology(original(name)), topology(decimated(name, fraction)[0])
+    assert before.oriented_manifold
+    assert after == before
+
+
+@CASES
+def test_no_face_is_flipped(name, fraction):
+    shape, _ = decimated(name, fraction)
+    assert flipped_faces(original(name), shape) == 0
+    assert folded_edges(shape) <= folded_edges(original(name))
+
+
+@CASES
+def test_nearer_than_meshlabs_own_filter(name, fraction):
+    meshes = load(name)
+    meshes.meshing_decimation_quadric_edge_collapse(
+        targetfacenum=len(decimated(name, fraction)[0].faces), **MESHLAB_DEFAULTS
+    )
+    ours = rms_distance(original(name), decimated(name, fraction)[0])
+    assert 0 < ours < rms_distance(original(name), surface(meshes))

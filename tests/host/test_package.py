@@ -1,0 +1,179 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The Python package: loading, methods with true signatures, scripts, and the command."""
+
+import inspect
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+from typing import Literal, get_args, get_origin
+
+import numpy as np
+import pymeshlab
+import pymeshlab_curvdecim
+import pytest
+from drawn_meshes import bumpy_sheet, mesh_set
+from samples import DECIMATE, IMPORTANCE, SHIPPED
+
+COW = str(SHIPPED / "cow.obj")
+METHOD = getattr(pymeshlab.MeshSet, DECIMATE)
+
+
+def python(code, **environment):
+    """Runs code in a fresh interpreter that finds the package."""
+    package = Path(pymeshlab_curvdecim.__file__).parents[1]
+    return subprocess.run(
+        [sys.executable, "-c", code],
+        env={**os.environ, "PYTHONPATH": str(package), **environment},
+        capture_output=True,
+        text=True,
+        timeout=120,
+    )
+
+
+def test_loading_twice_is_loading_once():
+    plugins = pymeshlab.plugin_number()
+    assert pymeshlab_curvdecim.load() == pymeshlab_curvdecim.load()
+    assert pymeshlab.plugin_number() == plugins
+
+
+def test_plugin_that_is_loaded_already_is_used():
+    code = (
+        "import os, pymeshlab; pymeshlab.load_plugin(os.environ['CURVDECIM_PLUGIN']);"
+        f"import pymeshlab_curvdecim; print(hasattr(pymeshlab.MeshSet, '{DECIMATE}'))"
+    )
+    answer = python(code)
+    assert answer.stdout.endswith("True\n"), answer.stderr
+
+
+@pytest.mark.parametrize("name", [DECIMATE, IMPORTANCE])
+def test_filters_are_methods_and_functions(name):
+    assert getattr(pymeshlab.MeshSet, name) is getattr(pymeshlab_curvdecim, name)
+
+
+def test_method_function_and_apply_filter_agree():
+    sets = [mesh_set(*bumpy_sheet()) for _ in range(3)]
+    getattr(sets[0], DECIMATE)(targetperc=0.4)
+    getattr(pymeshlab_curvdecim, DECIMATE)(sets[1], targetperc=0.4)
+    sets[2].apply_filter(DECIMATE, targetperc=0.4)
+    results = [each.current_mesh().vertex_matrix() for each in sets]
+    assert len(results[0]) < len(bumpy_sheet()[0])
+    assert all(np.array_equal(results[0], each) for each in results)
+
+
+def test_signature_has_types_and_defaults():
+    parameters = inspect.signature(METHOD).parameters
+    metric = parameters["metric"]
+    assert get_origin(metric.annotation) is Literal
+    assert get_args(metric.annotation) == ("Quadric", "CurvatureWeighted", "CurvatureAdditive")
+    assert metric.default == "CurvatureWeighted"
+    assert (parameters["targetperc"].annotation, parameters["targetperc"].default) == (float, 0.0)
+    assert parameters["preserveboundary"].default is True
+    assert parameters["targetfacenum"].default is None
+    assert all(each.kind is each.KEYWORD_ONLY for each in list(parameters.values())[1:])
+
+
+def test_documentation_names_every_parameter_in_plain_text():
+    text = METHOD.__doc__
+    assert all(f"\n{name} : " in text for name in list(inspect.signature(METHOD).parameters)[1:])
+    assert "<" not in text
+
+
+@pytest.mark.parametrize("name", [DECIMATE, IMPORTANCE])
+def test_stated_defaults_are_the_plugins(name):
+    """Giving every stated default changes nothing."""
+    function = getattr(pymeshlab_curvdecim, name)
+    parameters = list(inspect.signature(function).parameters.values())[1:]
+    stated = {each.name: each.default for each in parameters if each.default is not None}
+    without, with_defaults = (mesh_set(*bumpy_sheet()) for _ in range(2))
+    function(without)
+    function(with_defaults, **stated)
+    for array in ("vertex_matrix", "face_matrix", "vertex_scalar_array", "vertex_color_matrix"):
+        one, other = (getattr(each.current_mesh(), array) for each in (without, with_defaults))
+        if not array.startswith("vertex_") or without.current_mesh().has_vertex_color():
+            assert np.array_equal(one(), other())
+
+
+@pytest.mark.parametrize(
+    ("options", "words"),
+    [
+        ({"nosuch": 1}, "has no nosuch, only targetfacenum"),
+        ({"metric": "Cubic"}, "metric must be one of Quadric, .*'Cubic'"),
+        ({"metric": 9}, "metric must be one of"),
+        ({"targetfacenum": 2.5}, "targetfacenum must be of type int, not 2.5"),
+        ({"targetperc": "half"}, "targetperc must be of type float, not 'half'"),
+        ({"preserveboundary": "yes"}, "preserveboundary must be of type bool"),
+    ],
+)
+def test_wrong_argument_is_named(options, words):
+    with pytest.raises((TypeError, ValueError), match=words):
+        METHOD(mesh_set(*bumpy_sheet()), **options)
+
+
+def test_length_may_be_a_number_or_a_share():
+    diagonal = float(np.linalg.norm(np.ptp(bumpy_sheet()[0], axis=0)))
+    results = []
+    for length in (0.02 * diagonal, pymeshlab.PercentageValue(2)):
+        meshes = mesh_set(*bumpy_sheet())
+        METHOD(meshes, targetfacenum=0, maxerror=length)
+        results.append(meshes.current_mesh().face_number())
+    assert results[0] == results[1]
+
+
+def test_missing_plugin_says_what_to_do():
+    answer = python("import pymeshlab_curvdecim", CURVDECIM_PLUGIN="/nowhere/plugin.so")
+    assert answer.returncode == 1
+    assert "CURVDECIM_PLUGIN names /nowhere/plugin.so, which does not exist" in answer.stderr
+    assert "pip install ." in answer.stderr
+
+
+def test_plugin_for_another_host_says_what_to_do(tmp_path):
+    fake = tmp_path / "libfilter_curvdecim.so"
+    fake.write_bytes(b"not a library")
+    described = Path(os.environ["CURVDECIM_PLUGIN"]).with_name("parameters.json")
+    (tmp_path / "parameters.json").write_bytes(described.read_bytes())
+    answer = python("import pymeshlab_curvdecim", CURVDECIM_PLUGIN=str(fake))
+    assert answer.returncode == 1
+    assert f"cannot load {fake}" in answer.stderr
+    assert "A plugin fits one version of PyMeshLab" in answer.stderr
+
+
+def curvdecim(*arguments):
+    return python(f"import pymeshlab_curvdecim.command_line as c; c.main({arguments!r})")
+
+
+def test_command_simplifies_a_file(tmp_path):
+    output = str(tmp_path / "cow.ply")
+    run = curvdecim(COW, output, "--target-perc", "0.2", "--no-preserve-boundary")
+    meshes = pymeshlab.MeshSet(verbose=False)
+    meshes.load_new_mesh(output)
+    assert meshes.current_mesh().face_number() == 1160
+    assert "\nfaces: 1160\n" in run.stdout
+    assert "'preserveboundary': False" in run.stdout
+    assert "[ 100% ]" in run.stdout + run.stderr
+
+
+def test_quiet_command_prints_the_report_only(tmp_path):
+    run = curvdecim(COW, str(tmp_path / "cow.ply"), "--quiet", "--target-face-num", "500")
+    lines = run.stdout.splitlines()
+    assert {"faces: 500", "stopped_by: target"} <= set(lines)
+    assert all(re.fullmatch(r"\w+: [\w. -]+", line) for line in lines)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (["nowhere.ply", "out.ply"], "there is no file nowhere.ply"),
+        ([COW, "out.ply", "--target-perc", "-3"], "TargetPerc is -3"),
+        ([COW, "out.ply", "--metric", "Cubic"], "invalid choice: 'Cubic'"),
+        ([COW, "out.nosuchformat", "--target-perc", "0.5"], "nosuchformat"),
+    ],
+)
+def test_command_refuses_clearly(arguments, words, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    run = curvdecim(*arguments)
+    assert run.returncode in (1, 2)
+    assert words in run.stderr
+    assert "Traceback" not in run.stderr
+    assert not list(tmp_path.iterdir())

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "support/sample_meshes.h"
+
+#include <wrap/io_trimesh/import.h>
+#include <wrap/ply/plylib.cpp>  // the PLY reader is not header-only
+
+#include <cstdlib>
+#include <filesystem>
+#include <stdexcept>
+
+#include "support/mesh_types.h"
+
+namespace curvdecim::test {
+
+namespace {
+
+Shape read(const std::filesystem::path& file) {
+  using Importer = vcg::tri::io::Importer<RichMesh>;
+  RichMesh mesh;
+  const int error = Importer::Open(mesh, file.string().c_str());
+  if (Importer::ErrorCritical(error)) throw std::runtime_error(file.string() + ": " + Importer::ErrorMsg(error));
+  return shape_of(mesh);
+}
+
+}  // namespace
+
+Shape sample_mesh(const std::string& file) { return read(std::filesystem::path(CURVDECIM_REPOSITORY) / "sample_meshes" / file); }
+
+std::optional<Shape> shared_mesh(const std::string& file) {
+  const char* named = std::getenv("CURVDECIM_MESHES");
+  const std::filesystem::path directory =
+      named ? std::filesystem::path(named) : std::filesystem::path(CURVDECIM_REPOSITORY) / "../shared/meshes";
+  if (!std::filesystem::exists(directory / file)) return std::nullopt;
+  return read(directory / file);
+}
+
+}  // namespace curvdecim::test

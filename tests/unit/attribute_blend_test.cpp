@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vcg_ext/mesh/attribute_blend.h"
+
+#include <gtest/gtest.h>
+
+#include "support/drawn_meshes.h"
+#include "support/working_mesh.h"
+
+namespace curvdecim::test {
+namespace {
+
+/// The record of one collapse of 12 into 17 of a 4 x 4 grid, to `now`.
+std::vector<BlendStep> record(const WorkingMesh& mesh, const Vector3& now) {
+  EdgeNeighborhood around(mesh.connectivity.vertex_slots());
+  around.gather(mesh.connectivity, {12, 17});
+  BlendRecord blend;
+  blend.before(mesh, around, {17, 12, mesh.position[17], mesh.position[12], now, 0.5});
+  return blend.steps();
+}
+
+TEST(AttributeBlend, TakesTheValueOfThePlaceOnTheSurface) {
+  const WorkingMesh mesh = working_mesh(plane_grid(4));
+  std::vector<double> values;
+  for (const Vector3& p : mesh.position) values.push_back(3.0 * p.x() - 2.0 * p.y());
+  const Vector3 now(0.6, 0.4, 0.3);  // above the surface, off the edge
+  replay(record(mesh, now), values);
+  EXPECT_NEAR(values[17], 3.0 * 0.6 - 2.0 * 0.4, 1e-14);
+}
+
+TEST(AttributeBlend, LeavesAVertexThatStaysAlone) {
+  const WorkingMesh mesh = working_mesh(plane_grid(4));
+  EXPECT_TRUE(record(mesh, mesh.position[17]).empty());
+}
+
+TEST(AttributeBlend, ReplaysInOrder) {
+  const std::vector<BlendStep> steps = {{0, {0, 1, 2}, {0.5, 0.5, 0.0}}, {2, {0, 1, 2}, {1.0, 0.0, 0.0}}};
+  std::vector<double> values = {0.0, 4.0, 9.0};
+  replay(steps, values);
+  EXPECT_EQ(values, (std::vector<double>{2.0, 4.0, 2.0}));
+}
+
+}  // namespace
+}  // namespace curvdecim::test

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vcg_ext/guard/collapse_rule.h"
+
+#include <gtest/gtest.h>
+
+namespace curvdecim::test {
+namespace {
+
+using Answer = std::optional<Allowed>;
+using K = VertexKind;
+const Answer stays = std::nullopt;
+
+/// For an edge 0-1 between vertices of these kinds.
+Answer answer(K a, K b, const DecimationParams& params = {}, bool lock_a = false, bool lock_b = false) {
+  WorkingMesh mesh;
+  mesh.kind = {a, b};
+  mesh.locked = {lock_a, lock_b};
+  return CollapseRule(mesh, params)({0, 1});
+}
+
+TEST(CollapseRule, IsTheTableInTheHeader) {
+  EXPECT_EQ(answer(K::Interior, K::Interior), Allowed::Anywhere);
+  EXPECT_EQ(answer(K::Interior, K::Boundary), Allowed::OntoB);
+  EXPECT_EQ(answer(K::Interior, K::Curve), Allowed::OntoB);
+  EXPECT_EQ(answer(K::Interior, K::Junction), Allowed::OntoB);
+  EXPECT_EQ(answer(K::Boundary, K::Boundary), Allowed::Anywhere);
+  EXPECT_EQ(answer(K::Boundary, K::Curve), stays);
+  EXPECT_EQ(answer(K::Boundary, K::Junction), Allowed::OntoB);
+  EXPECT_EQ(answer(K::Curve, K::Curve), Allowed::Anywhere);
+  EXPECT_EQ(answer(K::Curve, K::Junction), Allowed::OntoB);
+  EXPECT_EQ(answer(K::Junction, K::Junction), stays);
+}
+
+TEST(CollapseRule, IsSymmetric) {
+  const auto mirrored = [](Answer given) {
+    return given == Allowed::OntoA ? Allowed::OntoB : given == Allowed::OntoB ? Answer(Allowed::OntoA) : given;
+  };
+  for (K a : {K::Interior, K::Boundary, K::Curve, K::Junction})
+    for (K b : {K::Interior, K::Boundary, K::Curve, K::Junction}) EXPECT_EQ(answer(a, b), mirrored(answer(b, a)));
+}
+
+TEST(CollapseRule, LeavesALockedVertexWhereItIs) {
+  EXPECT_EQ(answer(K::Interior, K::Interior, {}, true, false), Allowed::OntoA);
+  EXPECT_EQ(answer(K::Interior, K::Interior, {}, false, true), Allowed::OntoB);
+  EXPECT_EQ(answer(K::Interior, K::Interior, {}, true, true), stays);
+  EXPECT_EQ(answer(K::Boundary, K::Interior, {}, false, true), stays);
+}
+
+TEST(CollapseRule, FreesTheBoundaryWhenItNeedNotBePreserved) {
+  DecimationParams params;
+  params.preserve_boundary = false;
+  EXPECT_EQ(answer(K::Interior, K::Boundary, params), Allowed::Anywhere);
+  EXPECT_EQ(answer(K::Interior, K::Curve, params), Allowed::OntoB);
+}
+
+TEST(CollapseRule, FreesAllButTheLockedWithoutTopology) {
+  DecimationParams params;
+  params.preserve_topology = false;
+  EXPECT_EQ(answer(K::Junction, K::Junction, params), Allowed::Anywhere);
+  EXPECT_EQ(answer(K::Boundary, K::Curve, params), Allowed::Anywhere);
+  EXPECT_EQ(answer(K::Interior, K::Interior, params, true, true), stays);
+}
+
+}  // namespace
+}  // namespace curvdecim::test

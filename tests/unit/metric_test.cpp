@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/drawn_meshes.h"
+#include "support/working_mesh.h"
+#include "vcg_ext/dispatch.h"
+
+namespace curvdecim::test {
+namespace {
+
+EdgeCollapseParams custom(Quadrics quadrics = Quadrics::Accumulated, Placement placement = Placement::HalfEdge) {
+  EdgeCollapseParams params;
+  params.preset = Preset::Custom;
+  params.quadrics = quadrics;
+  params.placement = placement;
+  return params;
+}
+
+template <class MetricType>
+Candidate evaluated(MetricType metric, Edge edge, Allowed allowed = Allowed::Anywhere) {
+  metric.initialize(Parallel(1));
+  return *metric.evaluate(edge, allowed);
+}
+
+/// A ridge: two planes that meet in the y axis under 90 degrees, as a 2 x 4 lattice.
+Shape ridge() {
+  return mapped(plane_grid(4), [](const Point& p) { return Point(p.x(), p.y(), -std::abs(p.x() - 0.5)); });
+}
+
+// --- planes --------------------------------------------------------------------------------------
+
+TEST(PlaneQuadrics, AreWeightedByAreaOrNot) {
+  const WorkingMesh mesh = working_mesh(two_triangles());
+  EXPECT_EQ(plane_matrix(mesh, 0, PlaneWeight::Area).zz, 1.0);
+  EXPECT_EQ(plane_matrix(mesh, 0, PlaneWeight::Unit).zz, 2.0);
+  EXPECT_EQ(plane_matrix(mesh, 0, PlaneWeight::Area).xx, 0.0);
+}
+
+// --- boundary and features -----------------------------------------------------------------------
+
+std::vector<Quadric> constraints(const Shape& shape, const DecimationParams& params) {
+  const WorkingMesh mesh = working_mesh(shape);
+  return ConstraintQuadrics(mesh, params, PlaneWeight::Area).build();
+}
+
+TEST(ConstraintQuadrics, HoldTheBoundaryAcrossAndNotAlong) {
+  const std::vector<Quadric> q = constraints(plane_grid(4), {});
+  const int middle_of_the_side_x0 = 2;
+  EXPECT_GT(q[middle_of_the_side_x0].value({0.1, 0, 0}), 0.0);
+  EXPECT_EQ(q[middle_of_the_side_x0].value({0, 0.1, 0}), 0.0);
+  EXPECT_EQ(q[12].value({0.1, 0.1, 0.1}), 0.0);  // inside
+}
+
+TEST(ConstraintQuadrics, GrowWithTheWeightAndTheAreaOfTheEdge) {
+  DecimationParams params;
+  params.boundary_weight = 3.0;
+  const double squared_length = 0.25 * 0.25;
+  EXPECT_NEAR(constraints(plane_grid(4), params)[2].value({1, 0, 0}), 3.0 * 2.0 * squared_length, 1e-15);
+}
+
+TEST(ConstraintQuadrics, AreNoneOnASmoothClosedMeshOrWithoutWeight) {
+  EXPECT_TRUE(constraints(icosphere(2), {}).empty());
+  DecimationParams params;
+  params.boundary_weight = 0.0;
+  EXPECT_TRUE(constraints(plane_grid(4), params).empty());
+}
+
+TEST(ConstraintQuadrics, HoldFeaturesFromTheirAngleOn) {
+  DecimationParams params;
+  params.feature_angle = 80.0;
+  EXPECT_GT(constraints(ridge(), params)[12].value({0.1, 0, 0}), 0.0);
+  params.feature_angle = 100.0;
+  EXPECT_EQ(constraints(ridge(), params)[12].value({0.1, 0, 0}), 0.0);
+  params.feature_angle = 180.0;
+  EXPECT_TRUE(constraints(cube(), params).empty());
+}
+
+// --- quadric -------------------------------------------------------------------------------------
+
+class QuadricMetricWith : public testing::TestWithParam<Quadrics> {};
+
+TEST_P(QuadricMetricWith, CostsNothingInAPlane) {
+  const WorkingMesh mesh = working_mesh(plane_grid(4));
+  for (Placement placement : {Placement::Optimal, Placement::Line, Placement::EndpointOrMidpoint, Placement::HalfEdge})
+    EXPECT_NEAR(evaluated(QuadricMetric(mesh, custom(GetParam(), placement)), {12, 17}).cost, 0.0, 1e-30);
+}
+
+TEST_P(QuadricMetricWith, CostsNothingAlongARidgeAndSomethingAcross) {
+  const WorkingMesh mesh = working_mesh(ridge());
+  const EdgeCollapseParams params = custom(GetParam());
+  EXPECT_NEAR(evaluated(QuadricMetric(mesh, params), {11, 12}).cost, 0.0, 1e-30);
+  EXPECT_GT(evaluated(QuadricMetric(mesh, params), {7, 12}, Allowed::OntoA).cost, 1e-4);
+}
+
+TEST_P(QuadricMetricWith, KeepsAnEndToTheBit) {
+  const WorkingMesh mesh = working_mesh(rotated(ridge(), 1.0, {1, 2, 3}));
+  const QuadricMetric metric(mesh, custom(GetParam()));
+  EXPECT_EQ(evaluated(metric, {7, 12}, Allowed::OntoA).position, mesh.position[7]);
+  EXPECT_EQ(evaluated(metric, {7, 12}, Allowed::OntoA).t, 0.0);
+  EXPECT_EQ(evaluated(metric, {7, 12}, Allowed::OntoB).position, mesh.position[12]);
+  EXPECT_EQ(evaluated(metric, {7, 12}, Allowed::OntoB).t, 1.0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Both, QuadricMetricWith, testing::Values(Quadrics::Memoryless, Quadrics::Accumulated));
+
+TEST(QuadricMetric, AccumulatedIsTheSumOfSquaredDistancesToThePlanes) {
+  const WorkingMesh mesh = working_mesh(cube());
+  EdgeCollapseParams params = custom();
+  params.feature_angle = 180.0, params.plane_weight = PlaneWeight::Unit;
+  double expected = 0.0;
+  const int a = mesh.connectivity.face(0)[0], b = mesh.connectivity.face(0)[1];
+  for (int v : {a, b})
+    for (int f : mesh.connectivity.faces_of(v)) {
+      const double d = mesh.plane[f].normal.dot(mesh.position[b] - mesh.position[v]);
+      expected += d * d;
+    }
+  EXPECT_NEAR(evaluated(QuadricMetric(mesh, params), {std::min(a, b), std::max(a, b)}, a < b ? Allowed::OntoB : Allowed::OntoA).cost,
+              expected, 1e-12);
+}
+
+TEST(QuadricMetric, MergedCarriesThePlanesOfBothWhenAccumulated) {
+  WorkingMesh mesh = working_mesh(icosphere(1));
+  const EdgeCollapseParams params = custom();
+  QuadricMetric metric(mesh, params);
+  metric.initialize(Parallel(1));
+  const Face face = mesh.connectivity.face(0);
+  const Edge edge{std::min(face[0], face[1]), std::max(face[0], face[1])};
+  const double cost = metric.evaluate(edge, Allowed::OntoA)->cost;
+  const Vector3 a = mesh.position[edge.a], b = mesh.position[edge.b];
+  mesh.connectivity.collapse(edge.a, edge.b);
+  metric.merge({edge.a, edge.b, a, b, a, 0.0}, {});
+  EXPECT_GT(cost, 0.0);
+  const int neighbour = face[2];
+  const double after = metric.evaluate({std::min(edge.a, neighbour), std::max(edge.a, neighbour)},
+                                       edge.a < neighbour ? Allowed::OntoA : Allowed::OntoB)->cost;
+  EXPECT_GE(after, cost);  // what the first collapse did is not forgotten
+}
+
+// --- curvature weighted --------------------------------------------------------------------------
+
+double weighted_cost(const WorkingMesh& mesh, EdgeCollapseParams params, Edge edge) {
+  return evaluated(CurvatureWeightedMetric(mesh, params, 1.0), edge, Allowed::OntoA).cost;
+}
+
+TEST(CurvatureWeightedMetric, IsTheQuadricTimesTheFactorOfBothEnds) {
+  const WorkingMesh mesh = working_mesh(saddle(6));
+  EdgeCollapseParams params = custom();
+  params.alpha_units = AlphaUnits::ModelUnits, params.curvature_kind = CurvatureKind::Gaussian, params.alpha = 0.1;
+  const double k = std::abs(vertex_curvature(mesh, 24).gaussian) + std::abs(vertex_curvature(mesh, 25).gaussian);
+  const double plain = evaluated(QuadricMetric(mesh, params), {24, 25}, Allowed::OntoA).cost;
+  EXPECT_NEAR(weighted_cost(mesh, params, {24, 25}), plain * (1.0 - std::exp(-0.1 * k)), 1e-15 * plain);
+}
+
+TEST(CurvatureWeightedMetric, WithInfiniteAlphaIsTheQuadric) {
+  const WorkingMesh mesh = working_mesh(saddle(6));
+  EdgeCollapseParams params = custom();
+  for (double alpha : {0.0, -1.0}) {
+    params.alpha = alpha;
+    EXPECT_EQ(weighted_cost(mesh, params, {24, 25}), evaluated(QuadricMetric(mesh, params), {24, 25}, Allowed::OntoA).cost);
+  }
+}
+
+// --- curvature additive --------------------------------------------------------------------------
+
+double additive_term(const Shape& shape, CurvatureTerm term, Edge edge) {
+  const WorkingMesh mesh = working_mesh(shape);
+  EdgeCollapseParams params = custom();
+  params.curvature_term = term, params.lambda = 2.0;
+  return (evaluated(CurvatureAdditiveMetric(mesh, params), edge).cost - evaluated(QuadricMetric(mesh, params), edge).cost) / 2.0;
+}
+
+TEST(CurvatureAdditiveMetric, AddsNothingInAPlaneAsMelax) {
+  EXPECT_NEAR(additive_term(plane_grid(4), CurvatureTerm::Melax, {12, 17}), 0.0, 1e-15);
+}
+
+TEST(CurvatureAdditiveMetric, AddsTheLengthInAPlaneAsPrinted) {
+  EXPECT_NEAR(additive_term(plane_grid(4), CurvatureTerm::Literal, {12, 17}), 0.25, 1e-15);
+}
+
+TEST(CurvatureAdditiveMetric, AddsTheTurnAcrossARidgeTimesTheLength) {
+  // Across: all edge faces lie on one side, the other side's are at 90 degrees: (1 - 0) / 2.
+  EXPECT_NEAR(additive_term(ridge(), CurvatureTerm::Melax, {7, 12}), 0.5 * std::sqrt(2.0) * 0.25, 1e-12);
+  // Along: each side has an edge face of its own.
+  EXPECT_NEAR(additive_term(ridge(), CurvatureTerm::Melax, {11, 12}), 0.0, 1e-12);
+}
+
+// --- dispatch ------------------------------------------------------------------------------------
+
+TEST(Preset, SetsWhatItNamesAndLeavesTheMetric) {
+  EdgeCollapseParams params = custom(Quadrics::Accumulated, Placement::HalfEdge);
+  params.plane_weight = PlaneWeight::Unit;
+  params.metric = Metric::CurvatureAdditive;
+  EXPECT_EQ(with_preset(params).placement, Placement::HalfEdge);
+  params.preset = Preset::Balanced;
+  EXPECT_EQ(with_preset(params).quadrics, Quadrics::Memoryless);
+  EXPECT_EQ(with_preset(params).placement, Placement::Optimal);
+  EXPECT_EQ(with_preset(params).plane_weight, PlaneWeight::Area);
+  EXPECT_EQ(with_preset(params).metric, Metric::CurvatureAdditive);
+}
+
+}  // namespace
+}  // namespace curvdecim::test

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vcg_ext/connectivity/triangle_connectivity.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "support/drawn_meshes.h"
+#include "support/working_mesh.h"
+
+namespace curvdecim::test {
+namespace {
+
+std::set<int> faces_of(const TriangleConnectivity& connectivity, int v) {
+  const auto range = connectivity.faces_of(v);
+  return {range.begin(), range.end()};
+}
+
+/// The lists say the same as the faces.
+void expect_consistent(const TriangleConnectivity& connectivity) {
+  int faces = 0, used = 0;
+  for (int f = 0; f < connectivity.face_slots(); ++f) {
+    if (!connectivity.alive(f)) continue;
+    ++faces;
+    for (int v : connectivity.face(f)) EXPECT_EQ(faces_of(connectivity, v).count(f), 1u);
+  }
+  for (int v = 0; v < connectivity.vertex_slots(); ++v) {
+    const auto range = connectivity.faces_of(v);
+    used += range.size() > 0;
+    for (int f : range) EXPECT_TRUE(connectivity.alive(f) && connectivity.face_has(f, v));
+    EXPECT_EQ(faces_of(connectivity, v).size(), static_cast<std::size_t>(range.size()));
+  }
+  EXPECT_EQ(connectivity.face_count(), faces);
+  EXPECT_EQ(connectivity.vertex_count(), used);
+}
+
+TEST(TriangleConnectivity, ListsTheFacesAroundAVertex) {
+  const TriangleConnectivity two = connectivity_of(two_triangles());
+  EXPECT_EQ(faces_of(two, 0), (std::set<int>{0, 1}));
+  EXPECT_EQ(faces_of(two, 1), (std::set<int>{0}));
+  EXPECT_EQ(faces_of(two, 3), (std::set<int>{1}));
+}
+
+TEST(TriangleConnectivity, CountsOnlyVerticesWithAFace) {
+  Shape shape = two_triangles();
+  shape.vertices.push_back({5, 5, 5});
+  const TriangleConnectivity connectivity = connectivity_of(shape);
+  EXPECT_EQ(connectivity.vertex_slots(), 5);
+  EXPECT_EQ(connectivity.vertex_count(), 4);
+}
+
+TEST(TriangleConnectivity, FindsEdgesFacesAndCorners) {
+  const TriangleConnectivity two = connectivity_of(two_triangles());
+  EXPECT_TRUE(two.has_edge(0, 2));
+  EXPECT_FALSE(two.has_edge(1, 3));
+  EXPECT_EQ(two.find_face(3, 0, 2), 1);
+  EXPECT_EQ(two.find_face(1, 2, 3), -1);
+  EXPECT_EQ(two.corner(1, 2), 1);
+  EXPECT_EQ(two.third_vertex(1, 3, 0), 2);
+}
+
+TEST(TriangleConnectivity, RemovesAFace) {
+  TriangleConnectivity two = connectivity_of(two_triangles());
+  two.remove_face(1);
+  EXPECT_FALSE(two.alive(1));
+  EXPECT_EQ(two.vertex_count(), 3);
+  expect_consistent(two);
+}
+
+TEST(TriangleConnectivity, CollapseRemovesTheWingsAndReconnectsTheStar) {
+  TriangleConnectivity ball = connectivity_of(octahedron());
+  ball.collapse(0, 2);
+  EXPECT_EQ(ball.face_count(), 6);
+  EXPECT_EQ(ball.vertex_count(), 5);
+  EXPECT_EQ(ball.faces_of(2).size(), 0);
+  EXPECT_TRUE(ball.has_edge(0, 1));
+  expect_consistent(ball);
+}
+
+TEST(TriangleConnectivity, CollapseKeepsTheOrientation) {
+  TriangleConnectivity grid = connectivity_of(plane_grid(2));
+  const Shape shape = plane_grid(2);
+  grid.collapse(4, 3);  // the centre takes in a neighbour on the boundary
+  for (int f = 0; f < grid.face_slots(); ++f)
+    EXPECT_TRUE(!grid.alive(f) || double_area(shape, grid.face(f)).z() > 0.0);
+  expect_consistent(grid);
+}
+
+TEST(TriangleConnectivity, SurvivesAVertexThatSwallowsAllOthers) {
+  TriangleConnectivity grid = connectivity_of(plane_grid(20));
+  for (int v = 1; v < grid.vertex_slots() && grid.face_count() > 0; ++v) {
+    grid.collapse(0, v);
+    expect_consistent(grid);
+  }
+  EXPECT_EQ(grid.face_count(), 0);
+  EXPECT_EQ(grid.vertex_count(), 0);
+}
+
+}  // namespace
+}  // namespace curvdecim::test
