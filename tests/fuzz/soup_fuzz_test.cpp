@@ -71,7 +71,8 @@ Shape damaged_mesh(Dice& dice) {
 EdgeCollapseParams random_params(Dice& dice) {
   EdgeCollapseParams p;
   p.target_faces = dice.below(12);
-  p.preset = dice.any({Preset::Custom, Preset::Custom, Preset::Fast, Preset::Balanced, Preset::Best});
+  p.preset =
+      dice.any({Preset::Custom, Preset::Custom, Preset::Fast, Preset::Balanced, Preset::Best});
   p.metric = dice.any({Metric::Quadric, Metric::CurvatureWeighted, Metric::CurvatureAdditive});
   p.alpha = dice.any({-1.0, 1e-3, 1.0, 1e9});
   p.curvature_floor = dice.any({0.0, 0.5, 1.0});
@@ -80,7 +81,8 @@ EdgeCollapseParams random_params(Dice& dice) {
   p.curvature_term = dice.any({CurvatureTerm::Melax, CurvatureTerm::Literal});
   p.quadrics = dice.any({Quadrics::Memoryless, Quadrics::Accumulated});
   p.plane_weight = dice.any({PlaneWeight::Area, PlaneWeight::Unit});
-  p.placement = dice.any({Placement::Optimal, Placement::Line, Placement::EndpointOrMidpoint, Placement::HalfEdge});
+  p.placement = dice.any(
+      {Placement::Optimal, Placement::Line, Placement::EndpointOrMidpoint, Placement::HalfEdge});
   p.boundary_weight = dice.any({0.0, 1.0, 1e6});
   p.feature_angle = dice.any({0.0, 60.0, 180.0});
   p.normal_angle = dice.any({10.0, 90.0, 180.0});
@@ -96,7 +98,9 @@ Shape without_unusable_faces(Shape shape) {
   for (const Corners& face : shape.faces) {
     Corners sorted = face;
     std::sort(sorted.begin(), sorted.end());
-    if (sorted[0] == sorted[1] || sorted[1] == sorted[2] || std::count(seen.begin(), seen.end(), sorted)) continue;
+    if (sorted[0] == sorted[1] || sorted[1] == sorted[2] ||
+        std::count(seen.begin(), seen.end(), sorted))
+      continue;
     seen.push_back(sorted);
     kept.push_back(face);
   }
@@ -156,7 +160,8 @@ TEST_P(Fuzz, NeverDamagesTheTopology) {
     }
     expect_sound(usable, after);
     expect_no_worse_topology(usable, after);
-    EXPECT_TRUE(after.face_count() <= params.target_faces || report.stopped_by == StopReason::NothingLeft);
+    EXPECT_TRUE(after.face_count() <= params.target_faces ||
+                report.stopped_by == StopReason::NothingLeft);
   });
 }
 
@@ -171,7 +176,9 @@ TEST_P(Fuzz, IsSoundWithoutTheTopologyGuard) {
 std::string family_name(const testing::TestParamInfo<Family>& info) { return info.param.name; }
 
 INSTANTIATE_TEST_SUITE_P(Random, Fuzz,
-                         testing::Values(Family{"Soup", random_soup}, Family{"DamagedMesh", damaged_mesh}), family_name);
+                         testing::Values(Family{"Soup", random_soup},
+                                         Family{"DamagedMesh", damaged_mesh}),
+                         family_name);
 
 }  // namespace
 }  // namespace curvdecim::test

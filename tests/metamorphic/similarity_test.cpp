@@ -24,7 +24,9 @@ class Similarity : public testing::TestWithParam<NamedShape> {
  protected:
   const Shape& shape() const { return GetParam().shape; }
   EdgeCollapseParams params() const { return to_faces(shape().face_count() / 4); }
-  double rms(const Shape& original) const { return two_sided_rms(original, decimated(original, params()).shape); }
+  double rms(const Shape& original) const {
+    return two_sided_rms(original, decimated(original, params()).shape);
+  }
 
   /// Below it an error is none.
   double nothing() const { return 2e-5 * diagonal(shape()); }
@@ -33,7 +35,8 @@ class Similarity : public testing::TestWithParam<NamedShape> {
   void expect_same_error(const Shape& moved, double scale, double tolerance) const {
     const Shape after = decimated(moved, params()).shape;
     EXPECT_EQ(after.face_count(), decimated(shape(), params()).shape.face_count());
-    EXPECT_NEAR(two_sided_rms(moved, after) / scale, rms(shape()), nothing() + tolerance * rms(shape()));
+    EXPECT_NEAR(two_sided_rms(moved, after) / scale, rms(shape()),
+                nothing() + tolerance * rms(shape()));
   }
 
   /// Where many edges cost the same, rounding decides between them.
@@ -49,7 +52,8 @@ TEST_P(Similarity, ScalingByAPowerOfTwoScalesTheBits) {
     const Shape expected = decimated(shape(), params).shape;
     for (int exponent : {-60, -7, 1, 60}) {
       const double factor = std::ldexp(1.0, exponent);
-      EXPECT_EQ(decimated(scaled(shape(), factor), params).shape, scaled(expected, factor)) << "2^" << exponent;
+      EXPECT_EQ(decimated(scaled(shape(), factor), params).shape, scaled(expected, factor))
+          << "2^" << exponent;
     }
   }
 }
@@ -58,7 +62,8 @@ TEST_P(Similarity, ScalingByAPowerOfTwoScalesTheBitsInSinglePrecision) {
   const Shape expected = decimated_float(shape(), params()).shape;
   for (int exponent = -60; exponent <= 60; exponent += 12) {
     const double factor = std::ldexp(1.0, exponent);
-    EXPECT_EQ(decimated_float(scaled(shape(), factor), params()).shape, scaled(expected, factor)) << "2^" << exponent;
+    EXPECT_EQ(decimated_float(scaled(shape(), factor), params()).shape, scaled(expected, factor))
+        << "2^" << exponent;
   }
 }
 
@@ -70,7 +75,8 @@ TEST_P(Similarity, ScalingByAPowerOfTwoLeavesTheReport) {
 }
 
 TEST_P(Similarity, ScalingByAnyFactorGivesTheSameError) {
-  for (double factor : {1e-4, 1000.0 / 3.0}) expect_same_error(scaled(shape(), factor), factor, tolerance());
+  for (double factor : {1e-4, 1000.0 / 3.0})
+    expect_same_error(scaled(shape(), factor), factor, tolerance());
 }
 
 TEST_P(Similarity, FarFromTheOriginItHasTheSameCountAndError) {
@@ -78,7 +84,8 @@ TEST_P(Similarity, FarFromTheOriginItHasTheSameCountAndError) {
 }
 
 TEST_P(Similarity, TurnedItHasTheSameCountAndError) {
-  for (double angle : {0.3, 1.9}) expect_same_error(rotated(shape(), angle, {1, -2, 0.5}), 1.0, tolerance());
+  for (double angle : {0.3, 1.9})
+    expect_same_error(rotated(shape(), angle, {1, -2, 0.5}), 1.0, tolerance());
 }
 
 TEST_P(Similarity, RenumberedItKeepsItsProperties) {
@@ -122,7 +129,8 @@ TEST(Threads, DoNotShowInTheResult) {
 
 TEST(TwoSteps, KeepTheTopologyLikeOne) {
   const Shape half = decimated(torus(32, 16), to_faces(512)).shape;
-  EXPECT_PRED2(keeps_topology, topology(torus(32, 16)), topology(decimated(half, to_faces(128)).shape));
+  EXPECT_PRED2(keeps_topology, topology(torus(32, 16)),
+               topology(decimated(half, to_faces(128)).shape));
 }
 
 }  // namespace

@@ -19,14 +19,16 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Expects an InputError whose message has all these words, and the mesh bit for bit as it was.
-void expect_refused(RichMesh& mesh, const EdgeCollapseParams& params, const std::vector<std::string>& words) {
+void expect_refused(RichMesh& mesh, const EdgeCollapseParams& params,
+                    const std::vector<std::string>& words) {
   const std::string before = bytes_of(mesh);
   try {
     decimate(mesh, params);
     ADD_FAILURE() << "was accepted";
   } catch (const InputError& error) {
     const std::string message = error.what();
-    for (const std::string& word : words) EXPECT_NE(message.find(word), std::string::npos) << message;
+    for (const std::string& word : words)
+      EXPECT_NE(message.find(word), std::string::npos) << message;
     EXPECT_EQ(message.back(), '.') << message;
   }
   EXPECT_EQ(bytes_of(mesh), before);
@@ -135,7 +137,8 @@ TEST(BadMesh, RepairsAreSaid) {
 TEST(BadMesh, NonManifoldPlacesAreSaid) {
   const DecimationReport report = decimated(book(3, 4), to_faces(20)).report;
   ASSERT_FALSE(report.notes.empty());
-  EXPECT_NE(report.notes[0].find("5 vertices are non-manifold"), std::string::npos) << report.notes[0];
+  EXPECT_NE(report.notes[0].find("5 vertices are non-manifold"), std::string::npos)
+      << report.notes[0];
 }
 
 TEST(BadMesh, PartsOfVeryDifferentSizeGiveFiniteCoordinates) {
@@ -173,7 +176,8 @@ INSTANTIATE_TEST_SUITE_P(
     Each, BadParameters,
     testing::Values(
         BadParameter{"NegativeFaces", "TargetFaceNum", [](P& p) { p.target_faces = -1; }},
-        BadParameter{"SmallestFaces", "TargetFaceNum", [](P& p) { p.target_faces = std::numeric_limits<int>::min(); }},
+        BadParameter{"SmallestFaces", "TargetFaceNum",
+                     [](P& p) { p.target_faces = std::numeric_limits<int>::min(); }},
         BadParameter{"NegativeVertices", "TargetVertNum", [](P& p) { p.target_vertices = -3; }},
         BadParameter{"NegativeFraction", "TargetPerc", [](P& p) { p.target_fraction = -0.1; }},
         BadParameter{"FractionAboveOne", "TargetPerc", [](P& p) { p.target_fraction = 1.01; }},
@@ -182,7 +186,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadParameter{"ErrorNan", "MaxError", [](P& p) { p.max_error = nan; }},
         BadParameter{"ErrorInfinite", "MaxError", [](P& p) { p.max_error = infinity; }},
         BadParameter{"BoundaryWeightNan", "BoundaryWeight", [](P& p) { p.boundary_weight = nan; }},
-        BadParameter{"BoundaryWeightNegative", "BoundaryWeight", [](P& p) { p.boundary_weight = -1.0; }},
+        BadParameter{"BoundaryWeightNegative", "BoundaryWeight",
+                     [](P& p) { p.boundary_weight = -1.0; }},
         BadParameter{"NormalAngleNan", "NormalAngle", [](P& p) { p.normal_angle = nan; }},
         BadParameter{"NormalAngleAbove", "NormalAngle", [](P& p) { p.normal_angle = 181.0; }},
         BadParameter{"FeatureAngleNegative", "FeatureAngle", [](P& p) { p.feature_angle = -1.0; }},
@@ -194,8 +199,11 @@ INSTANTIATE_TEST_SUITE_P(
         BadParameter{"LambdaNegative", "Lambda", [](P& p) { p.lambda = -1e-3; }},
         BadParameter{"NegativeThreads", "Threads", [](P& p) { p.threads = -1; }},
         BadParameter{"NoTarget", "No target", [](P& p) { p.target_faces = P::no_target; }},
-        BadParameter{"NothingSelected", "no face is selected", [](P& p) { p.selected_only = true; }}),
-    [](const testing::TestParamInfo<BadParameter>& parameter) { return std::string(parameter.param.name); });
+        BadParameter{"NothingSelected", "no face is selected",
+                     [](P& p) { p.selected_only = true; }}),
+    [](const testing::TestParamInfo<BadParameter>& parameter) {
+      return std::string(parameter.param.name);
+    });
 
 TEST(GoodParameters, AtTheEndsOfTheirRangesAreTaken) {
   EdgeCollapseParams params = to_faces(40);
@@ -203,7 +211,8 @@ TEST(GoodParameters, AtTheEndsOfTheirRangesAreTaken) {
     for (double weight : {0.0, 1e100})
       for (double angle : {0.0, 180.0}) {
         params.alpha = alpha, params.boundary_weight = weight, params.feature_angle = angle;
-        EXPECT_LE(decimated(plane_grid(8), params).shape.face_count(), 40) << alpha << ' ' << weight << ' ' << angle;
+        EXPECT_LE(decimated(plane_grid(8), params).shape.face_count(), 40)
+            << alpha << ' ' << weight << ' ' << angle;
       }
 }
 

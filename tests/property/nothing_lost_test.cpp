@@ -18,7 +18,9 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-Shape unit_ball(int subdivisions) { return translated(scaled(icosphere(subdivisions), 0.5), {0.5, 0.5, 0.5}); }
+Shape unit_ball(int subdivisions) {
+  return translated(scaled(icosphere(subdivisions), 0.5), {0.5, 0.5, 0.5});
+}
 
 // --- cancel --------------------------------------------------------------------------------------
 
@@ -34,7 +36,8 @@ TEST(Cancel, AtAnyCallLeavesTheMeshAsItWas) {
     fill_with_attributes(mesh, shape);
     const std::string before = bytes_of(mesh);
     int call = 0;
-    const DecimationReport report = decimate(mesh, to_faces(500), [&](int, const char*) { return ++call < last; });
+    const DecimationReport report =
+        decimate(mesh, to_faces(500), [&](int, const char*) { return ++call < last; });
     EXPECT_EQ(report.stopped_by, StopReason::Cancelled);
     EXPECT_EQ(report.faces, shape.face_count());
     EXPECT_EQ(bytes_of(mesh), before) << "cancelled at call " << last;
@@ -89,7 +92,9 @@ TEST(Selection, BadFacesOutsideAreLeftAlone) {
   EdgeCollapseParams params = to_faces(selected / 2);
   params.selected_only = true;
   decimate(mesh, params);
-  EXPECT_EQ(std::count_if(mesh.face.begin(), mesh.face.end(), [](const RichFace& f) { return !f.IsS(); }), others);
+  EXPECT_EQ(
+      std::count_if(mesh.face.begin(), mesh.face.end(), [](const RichFace& f) { return !f.IsS(); }),
+      others);
 }
 
 TEST(Selection, PolygonEdgesOutsideAreLeftAlone) {
@@ -180,14 +185,15 @@ TEST_P(Attributes, OfAFaceAreThoseOfAFaceOfTheInput) {
   std::set<double> seen;
   for (const RichFace& f : mesh_.face) {
     const int was = static_cast<int>(f.cQ());
-    EXPECT_EQ(f.cC(), vcg::Color4b(static_cast<unsigned char>(was % 256), static_cast<unsigned char>(was / 256), 1, 255));
+    EXPECT_EQ(f.cC(), vcg::Color4b(static_cast<unsigned char>(was % 256),
+                                   static_cast<unsigned char>(was / 256), 1, 255));
     EXPECT_TRUE(seen.insert(f.cQ()).second);
   }
 }
 
 INSTANTIATE_TEST_SUITE_P(Placements, Attributes,
-                         testing::Values(Placement::Optimal, Placement::Line, Placement::EndpointOrMidpoint,
-                                         Placement::HalfEdge));
+                         testing::Values(Placement::Optimal, Placement::Line,
+                                         Placement::EndpointOrMidpoint, Placement::HalfEdge));
 
 TEST(FaceNormals, FitTheFacesAfterwards) {
   RichMesh mesh;
@@ -222,6 +228,9 @@ TEST(CustomAttributes, StayWithTheirVerticesAndFaces) {
   decimate(mesh, params);
   for (const RichVertex& v : mesh.vert) EXPECT_EQ(at[v], v.cP());
   for (const RichFace& f : mesh.face) EXPECT_EQ(number[f], f.cQ());
+  vcg::tri::Allocator<RichMesh>::DeletePerVertexAttribute(
+      mesh, "where");  // a mesh does not free them itself
+  vcg::tri::Allocator<RichMesh>::DeletePerFaceAttribute(mesh, "number");
 }
 
 TEST(AttributesThatAreNotFinite, DoNotSpread) {
@@ -229,7 +238,9 @@ TEST(AttributesThatAreNotFinite, DoNotSpread) {
   fill_with_attributes(mesh, unit_ball(3));
   for (int v : {3, 30, 300}) mesh.vert[v].Q() = nan;
   decimate(mesh, to_faces(200));
-  EXPECT_LE(std::count_if(mesh.vert.begin(), mesh.vert.end(), [](const RichVertex& v) { return std::isnan(v.cQ()); }), 3);
+  EXPECT_LE(std::count_if(mesh.vert.begin(), mesh.vert.end(),
+                          [](const RichVertex& v) { return std::isnan(v.cQ()); }),
+            3);
 }
 
 TEST(Adjacency, OfTheHostDoesNotDangle) {

@@ -10,7 +10,8 @@
 namespace curvdecim::test {
 namespace {
 
-constexpr Metric metrics[] = {Metric::Quadric, Metric::CurvatureWeighted, Metric::CurvatureAdditive};
+constexpr Metric metrics[] = {Metric::Quadric, Metric::CurvatureWeighted,
+                              Metric::CurvatureAdditive};
 constexpr double kept = 0.2;
 
 void expect_sound(const Shape& before) {
@@ -32,9 +33,10 @@ class SampleMesh : public testing::TestWithParam<const char*> {};
 TEST_P(SampleMesh, KeepsItsTopologyAndMeetsTheTarget) { expect_sound(sample_mesh(GetParam())); }
 
 INSTANTIATE_TEST_SUITE_P(Files, SampleMesh,
-                         testing::Values("plane_grid.ply", "icosphere.ply", "cylinder_open.ply", "cylinder_capped.ply",
-                                         "cube_dense.ply", "torus.ply", "saddle.ply", "bumpy_sphere.ply",
-                                         "two_spheres.ply", "fan.ply", "colored_patch.ply", "nonmanifold_edge.ply",
+                         testing::Values("plane_grid.ply", "icosphere.ply", "cylinder_open.ply",
+                                         "cylinder_capped.ply", "cube_dense.ply", "torus.ply",
+                                         "saddle.ply", "bumpy_sphere.ply", "two_spheres.ply",
+                                         "fan.ply", "colored_patch.ply", "nonmanifold_edge.ply",
                                          "nonmanifold_vertex.ply", "moebius.ply"));
 
 TEST(DirtySphere, IsRepaired) {

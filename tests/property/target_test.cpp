@@ -12,7 +12,8 @@ class TargetOf : public testing::TestWithParam<NamedShape> {};
 
 TEST_P(TargetOf, FacesIsMetExactlyOrOneBelow) {
   const Shape& before = GetParam().shape;
-  for (int target : {before.face_count() * 3 / 4, before.face_count() / 2, before.face_count() / 2 + 1}) {
+  for (int target :
+       {before.face_count() * 3 / 4, before.face_count() / 2, before.face_count() / 2 + 1}) {
     const auto [after, report] = decimated(before, to_faces(target));
     EXPECT_LE(after.face_count(), target);
     EXPECT_GE(after.face_count(), target - 1);
@@ -41,7 +42,8 @@ TEST_P(TargetOf, VerticesIsMetExactly) {
 
 TEST_P(TargetOf, MoreThanThereIsLeavesTheMeshAlone) {
   const Shape& before = GetParam().shape;
-  for (int target : {before.face_count(), before.face_count() + 1, DecimationParams::no_target - 1}) {
+  for (int target :
+       {before.face_count(), before.face_count() + 1, DecimationParams::no_target - 1}) {
     const auto [after, report] = decimated(before, to_faces(target));
     EXPECT_EQ(after, before);
     EXPECT_FALSE(report.notes.empty());

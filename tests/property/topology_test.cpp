@@ -34,7 +34,8 @@ TEST_P(AnyMesh, GivesTheSameBitsAgain) {
 
 TEST_P(AnyMesh, IsDecimatedInSinglePrecisionToo) {
   const Topology expected = topology(GetParam().shape);
-  const Decimated result = decimated_float(GetParam().shape, to_faces(GetParam().shape.face_count() / 3));
+  const Decimated result =
+      decimated_float(GetParam().shape, to_faces(GetParam().shape.face_count() / 3));
   EXPECT_PRED2(keeps_topology, expected, topology(result.shape));
 }
 
@@ -58,7 +59,9 @@ TEST_P(ManifoldMesh, TurnsNoFaceOver) {
   ASSERT_EQ(flipped_faces(before, before), 0);
   for (const Variant& variant : all_variants()) {
     SCOPED_TRACE(variant.name);
-    EXPECT_EQ(flipped_faces(before, decimated(before, variant.with_target(before.face_count() / 4)).shape), 0);
+    EXPECT_EQ(flipped_faces(before,
+                            decimated(before, variant.with_target(before.face_count() / 4)).shape),
+              0);
   }
 }
 
@@ -84,7 +87,8 @@ TEST_P(ClosedMesh, CannotGoBelowATetrahedronPerComponent) {
   EXPECT_GE(after.face_count(), 4 * before.components);
   EXPECT_EQ(report.stopped_by, StopReason::NothingLeft);
   ASSERT_FALSE(report.notes.empty());
-  EXPECT_NE(report.notes.back().find(std::to_string(after.face_count())), std::string::npos) << report.notes.back();
+  EXPECT_NE(report.notes.back().find(std::to_string(after.face_count())), std::string::npos)
+      << report.notes.back();
 }
 
 INSTANTIATE_TEST_SUITE_P(Drawn, ClosedMesh, testing::ValuesIn(closed_meshes()), name_of);

@@ -17,21 +17,28 @@ Decimated decimated_as(const Shape& shape, const EdgeCollapseParams& params) {
 
 }  // namespace
 
-DecimationReport decimate(BareMesh& mesh, const EdgeCollapseParams& params, const Progress& progress) {
+DecimationReport decimate(BareMesh& mesh, const EdgeCollapseParams& params,
+                          const Progress& progress) {
   return decimate_edge_collapse(mesh, params, progress);
 }
 
-DecimationReport decimate(FloatMesh& mesh, const EdgeCollapseParams& params, const Progress& progress) {
+DecimationReport decimate(FloatMesh& mesh, const EdgeCollapseParams& params,
+                          const Progress& progress) {
   return decimate_edge_collapse(mesh, params, progress);
 }
 
-DecimationReport decimate(RichMesh& mesh, const EdgeCollapseParams& params, const Progress& progress) {
+DecimationReport decimate(RichMesh& mesh, const EdgeCollapseParams& params,
+                          const Progress& progress) {
   return decimate_edge_collapse(mesh, params, progress);
 }
 
-void importance(RichMesh& mesh, const ImportanceParams& params) { curvature_importance(mesh, params); }
+void importance(RichMesh& mesh, const ImportanceParams& params) {
+  curvature_importance(mesh, params);
+}
 
-Decimated decimated(const Shape& shape, const EdgeCollapseParams& params) { return decimated_as<BareMesh>(shape, params); }
+Decimated decimated(const Shape& shape, const EdgeCollapseParams& params) {
+  return decimated_as<BareMesh>(shape, params);
+}
 
 Decimated decimated_float(const Shape& shape, const EdgeCollapseParams& params) {
   return decimated_as<FloatMesh>(shape, params);
@@ -54,16 +61,21 @@ std::vector<Variant> all_variants() {
   EdgeCollapseParams p;
   p.preset = Preset::Custom;
   const auto named = [](auto value, const char* name) { return std::pair(value, name); };
-  for (const auto& [metric, metric_name] : {named(Metric::Quadric, "Quadric"), named(Metric::CurvatureWeighted, "Weighted"),
-                                            named(Metric::CurvatureAdditive, "Additive")})
+  for (const auto& [metric, metric_name] :
+       {named(Metric::Quadric, "Quadric"), named(Metric::CurvatureWeighted, "Weighted"),
+        named(Metric::CurvatureAdditive, "Additive")})
     for (const auto& [quadrics, quadrics_name] :
          {named(Quadrics::Memoryless, "Memoryless"), named(Quadrics::Accumulated, "Accumulated")})
-      for (const auto& [weight, weight_name] : {named(PlaneWeight::Area, "Area"), named(PlaneWeight::Unit, "Unit")})
+      for (const auto& [weight, weight_name] :
+           {named(PlaneWeight::Area, "Area"), named(PlaneWeight::Unit, "Unit")})
         for (const auto& [placement, placement_name] :
              {named(Placement::Optimal, "Optimal"), named(Placement::Line, "Line"),
-              named(Placement::EndpointOrMidpoint, "EndpointOrMidpoint"), named(Placement::HalfEdge, "HalfEdge")}) {
-          p.metric = metric, p.quadrics = quadrics, p.plane_weight = weight, p.placement = placement;
-          variants.push_back({std::string(metric_name) + quadrics_name + weight_name + placement_name, p});
+              named(Placement::EndpointOrMidpoint, "EndpointOrMidpoint"),
+              named(Placement::HalfEdge, "HalfEdge")}) {
+          p.metric = metric, p.quadrics = quadrics, p.plane_weight = weight,
+          p.placement = placement;
+          variants.push_back(
+              {std::string(metric_name) + quadrics_name + weight_name + placement_name, p});
         }
   return variants;
 }

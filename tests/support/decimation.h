@@ -13,9 +13,12 @@
 namespace curvdecim::test {
 
 // The core's templates, compiled once for all suites.
-DecimationReport decimate(BareMesh& mesh, const EdgeCollapseParams& params, const Progress& progress = {});
-DecimationReport decimate(FloatMesh& mesh, const EdgeCollapseParams& params, const Progress& progress = {});
-DecimationReport decimate(RichMesh& mesh, const EdgeCollapseParams& params, const Progress& progress = {});
+DecimationReport decimate(BareMesh& mesh, const EdgeCollapseParams& params,
+                          const Progress& progress = {});
+DecimationReport decimate(FloatMesh& mesh, const EdgeCollapseParams& params,
+                          const Progress& progress = {});
+DecimationReport decimate(RichMesh& mesh, const EdgeCollapseParams& params,
+                          const Progress& progress = {});
 void importance(RichMesh& mesh, const ImportanceParams& params);
 
 struct Decimated {
@@ -23,8 +26,9 @@ struct Decimated {
   DecimationReport report;
 };
 
-Decimated decimated(const Shape& shape, const EdgeCollapseParams& params);        ///< double coordinates
-Decimated decimated_float(const Shape& shape, const EdgeCollapseParams& params);  ///< single coordinates
+Decimated decimated(const Shape& shape, const EdgeCollapseParams& params);  ///< double coordinates
+Decimated decimated_float(const Shape& shape,
+                          const EdgeCollapseParams& params);  ///< single coordinates
 
 EdgeCollapseParams to_faces(int faces);
 

@@ -37,18 +37,22 @@ class Welder {
 
 Shape one_triangle() { return {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}; }
 
-Shape two_triangles() { return {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}}; }
+Shape two_triangles() {
+  return {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}};
+}
 
 Shape triangle_strip(int faces) {
   Shape strip;
   for (int v = 0; v < faces + 2; ++v) strip.vertices.push_back({0.5 * v, v % 2 ? 1.0 : 0.0, 0.0});
-  for (int f = 0; f < faces; ++f) strip.faces.push_back(f % 2 ? Corners{f, f + 2, f + 1} : Corners{f, f + 1, f + 2});
+  for (int f = 0; f < faces; ++f)
+    strip.faces.push_back(f % 2 ? Corners{f, f + 2, f + 1} : Corners{f, f + 1, f + 2});
   for (Corners& face : strip.faces) std::swap(face[1], face[2]);  // counter-clockwise
   return strip;
 }
 
 Shape tetrahedron() {
-  return {{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}}, {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}}};
+  return {{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}},
+          {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}}};
 }
 
 Shape octahedron() {
@@ -68,7 +72,8 @@ Shape fan(int blades) {
 }
 
 Shape bowtie() {
-  return {{{0, 0, 0}, {1, -0.5, 0}, {1, 0.5, 0}, {-1, 0.5, 0}, {-1, -0.5, 0}}, {{0, 1, 2}, {0, 3, 4}}};
+  return {{{0, 0, 0}, {1, -0.5, 0}, {1, 0.5, 0}, {-1, 0.5, 0}, {-1, -0.5, 0}},
+          {{0, 1, 2}, {0, 3, 4}}};
 }
 
 Shape book(int pages, int cells) {
@@ -80,7 +85,8 @@ Shape book(int pages, int cells) {
       return p.x() == 0.0 ? Point(0, 0, p.y()) : on_circle(double(page) / pages, p.x(), p.y());
     });
     for (const Corners& f : sheet.faces)
-      all.faces.push_back({weld(sheet.vertices[f[0]]), weld(sheet.vertices[f[1]]), weld(sheet.vertices[f[2]])});
+      all.faces.push_back(
+          {weld(sheet.vertices[f[0]]), weld(sheet.vertices[f[1]]), weld(sheet.vertices[f[2]])});
   }
   return all;
 }
@@ -90,16 +96,20 @@ Shape touching_spheres() {
   const int count = ball.vertex_count();
   const auto twin = [=](int v) { return v == 0 ? 0 : count + v - 1; };
   Shape both = ball;
-  for (int v = 1; v < count; ++v) both.vertices.push_back(2.0 * ball.vertices[0] - ball.vertices[v]);
+  for (int v = 1; v < count; ++v)
+    both.vertices.push_back(2.0 * ball.vertices[0] - ball.vertices[v]);
   for (const Corners& f : ball.faces) both.faces.push_back({twin(f[0]), twin(f[2]), twin(f[1])});
   return both;
 }
 
-Shape lattice(int columns, int rows, Seam seam_u, Seam seam_v, const std::function<Point(double, double)>& point) {
-  const int wide = seam_u == Seam::Open ? columns + 1 : columns, high = seam_v == Seam::Open ? rows + 1 : rows;
+Shape lattice(int columns, int rows, Seam seam_u, Seam seam_v,
+              const std::function<Point(double, double)>& point) {
+  const int wide = seam_u == Seam::Open ? columns + 1 : columns,
+            high = seam_v == Seam::Open ? rows + 1 : rows;
   Shape shape;
   for (int i = 0; i < wide; ++i)
-    for (int j = 0; j < high; ++j) shape.vertices.push_back(point(double(i) / columns, double(j) / rows));
+    for (int j = 0; j < high; ++j)
+      shape.vertices.push_back(point(double(i) / columns, double(j) / rows));
   const auto vertex = [&](int i, int j) {
     if (i == columns && seam_u == Seam::Twisted) j = rows - j;
     return (i % wide) * high + j % high;
@@ -113,11 +123,13 @@ Shape lattice(int columns, int rows, Seam seam_u, Seam seam_v, const std::functi
 }
 
 Shape plane_grid(int cells) {
-  return lattice(cells, cells, Seam::Open, Seam::Open, [](double u, double v) { return Point(u, v, 0.0); });
+  return lattice(cells, cells, Seam::Open, Seam::Open,
+                 [](double u, double v) { return Point(u, v, 0.0); });
 }
 
 Shape annulus(int around, int across) {
-  return lattice(around, across, Seam::Closed, Seam::Open, [](double u, double v) { return on_circle(u, 1.0 + v, 0.0); });
+  return lattice(around, across, Seam::Closed, Seam::Open,
+                 [](double u, double v) { return on_circle(u, 1.0 + v, 0.0); });
 }
 
 Shape grid_with_small_holes(int cells) {
@@ -126,8 +138,8 @@ Shape grid_with_small_holes(int cells) {
   const auto first_face = [&](int column, int row) { return 2 * (column * cells + row); };
   std::vector<int> gone;
   for (int k = 1; k <= 2; ++k) {
-    gone.push_back(first_face(k * quarter, quarter));          // a hole of three edges
-    gone.push_back(first_face(k * quarter, 3 * quarter));      // one of four
+    gone.push_back(first_face(k * quarter, quarter));      // a hole of three edges
+    gone.push_back(first_face(k * quarter, 3 * quarter));  // one of four
     gone.push_back(first_face(k * quarter, 3 * quarter) + 1);
   }
   std::sort(gone.rbegin(), gone.rend());
@@ -137,11 +149,21 @@ Shape grid_with_small_holes(int cells) {
 
 Shape icosphere(int subdivisions) {
   const double g = 0.5 * (1.0 + std::sqrt(5.0));
-  Shape ball{{{-1, g, 0}, {1, g, 0}, {-1, -g, 0}, {1, -g, 0}, {0, -1, g}, {0, 1, g},
-              {0, -1, -g}, {0, 1, -g}, {g, 0, -1}, {g, 0, 1}, {-g, 0, -1}, {-g, 0, 1}},
-             {{0, 11, 5}, {0, 5, 1}, {0, 1, 7}, {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
-              {11, 10, 2}, {10, 7, 6}, {7, 1, 8}, {3, 9, 4}, {3, 4, 2}, {3, 2, 6}, {3, 6, 8},
-              {3, 8, 9}, {4, 9, 5}, {2, 4, 11}, {6, 2, 10}, {8, 6, 7}, {9, 8, 1}}};
+  Shape ball{{{-1, g, 0},
+              {1, g, 0},
+              {-1, -g, 0},
+              {1, -g, 0},
+              {0, -1, g},
+              {0, 1, g},
+              {0, -1, -g},
+              {0, 1, -g},
+              {g, 0, -1},
+              {g, 0, 1},
+              {-g, 0, -1},
+              {-g, 0, 1}},
+             {{0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
+              {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
+              {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}}};
   for (int round = 0; round < subdivisions; ++round) {
     std::map<std::pair<int, int>, int> middles;
     const auto middle = [&](int a, int b) {
@@ -162,7 +184,8 @@ Shape icosphere(int subdivisions) {
 Shape noisy_sphere(int subdivisions, double noise) {
   std::mt19937 random(1);
   std::uniform_real_distribution<double> factor(1.0 - noise, 1.0 + noise);
-  return mapped(icosphere(subdivisions), [&](const Point& p) -> Point { return factor(random) * p; });
+  return mapped(icosphere(subdivisions),
+                [&](const Point& p) -> Point { return factor(random) * p; });
 }
 
 Shape bumpy_sphere(int subdivisions) {
@@ -179,7 +202,8 @@ Shape torus(int around, int across) {
 }
 
 Shape open_cylinder(int around, int along) {
-  return lattice(around, along, Seam::Closed, Seam::Open, [](double u, double v) { return on_circle(u, 1.0, 2.0 * v); });
+  return lattice(around, along, Seam::Closed, Seam::Open,
+                 [](double u, double v) { return on_circle(u, 1.0, 2.0 * v); });
 }
 
 Shape capped_cylinder(int around, int along) {
@@ -212,7 +236,8 @@ Shape dense_box(int cells, const Point& size) {
         if (height == 0.0) std::swap(face[1], face[2]);
         for (int& v : face) {
           Point p;
-          p[axis] = height, p[(axis + 1) % 3] = side.vertices[v].x(), p[(axis + 2) % 3] = side.vertices[v].y();
+          p[axis] = height, p[(axis + 1) % 3] = side.vertices[v].x(),
+          p[(axis + 2) % 3] = side.vertices[v].y();
           v = weld(p.cwiseProduct(size));
         }
         box.faces.push_back(face);

@@ -9,18 +9,18 @@ namespace curvdecim::test {
 
 // --- a handful of faces --------------------------------------------------------------------------
 Shape one_triangle();
-Shape two_triangles();   ///< a unit square cut along 0-2
+Shape two_triangles();  ///< a unit square cut along 0-2
 Shape triangle_strip(int faces);
 Shape tetrahedron();
 Shape octahedron();
-Shape cube();            ///< [0, 1]^3, 12 faces
-Shape fan(int blades);   ///< closed around vertex 0, radius 1
-Shape bowtie();          ///< two triangles that share vertex 0
+Shape cube();                      ///< [0, 1]^3, 12 faces
+Shape fan(int blades);             ///< closed around vertex 0, radius 1
+Shape bowtie();                    ///< two triangles that share vertex 0
 Shape book(int pages, int cells);  ///< sheets that meet in one curve: vertices 0..cells along z
 Shape touching_spheres();          ///< two closed parts that share vertex 0
 
 // --- flat ----------------------------------------------------------------------------------------
-Shape plane_grid(int cells);       ///< the unit square at z = 0
+Shape plane_grid(int cells);  ///< the unit square at z = 0
 Shape annulus(int around, int across);
 Shape grid_with_small_holes(int cells);  ///< two of three and two of four edges; 8 cells at least
 
@@ -42,6 +42,7 @@ enum class Seam { Open, Closed, Twisted };
 
 /// Two faces a cell; point(u, v) with u, v in 0..1. Only u may be twisted: its end meets its start
 /// with v reversed.
-Shape lattice(int columns, int rows, Seam seam_u, Seam seam_v, const std::function<Point(double, double)>& point);
+Shape lattice(int columns, int rows, Seam seam_u, Seam seam_v,
+              const std::function<Point(double, double)>& point);
 
 }  // namespace curvdecim::test

@@ -18,12 +18,17 @@ struct NamedShape {
 
 inline void PrintTo(const NamedShape& mesh, std::ostream* out) { *out << mesh.name; }
 
-inline std::string name_of(const testing::TestParamInfo<NamedShape>& info) { return info.param.name; }
+inline std::string name_of(const testing::TestParamInfo<NamedShape>& info) {
+  return info.param.name;
+}
 
 inline std::vector<NamedShape> closed_meshes() {
-  return {{"icosphere", icosphere(2)},          {"noisy_sphere", noisy_sphere(2, 0.02)},
-          {"torus", torus(24, 12)},             {"capped_cylinder", capped_cylinder(24, 6)},
-          {"dense_box", dense_box(5, {1, 2, 3})}, {"two_components", large_and_small_sphere()}};
+  return {{"icosphere", icosphere(2)},
+          {"noisy_sphere", noisy_sphere(2, 0.02)},
+          {"torus", torus(24, 12)},
+          {"capped_cylinder", capped_cylinder(24, 6)},
+          {"dense_box", dense_box(5, {1, 2, 3})},
+          {"two_components", large_and_small_sphere()}};
 }
 
 inline std::vector<NamedShape> open_meshes() {
@@ -38,8 +43,10 @@ inline std::vector<NamedShape> open_meshes() {
 
 /// Not orientable, or not manifold.
 inline std::vector<NamedShape> difficult_meshes() {
-  return {{"moebius_strip", moebius_strip(30, 6)}, {"klein_bottle", klein_bottle(32, 12)},
-          {"three_pages", book(3, 8)},             {"four_pages", book(4, 8)},
+  return {{"moebius_strip", moebius_strip(30, 6)},
+          {"klein_bottle", klein_bottle(32, 12)},
+          {"three_pages", book(3, 8)},
+          {"four_pages", book(4, 8)},
           {"touching_spheres", touching_spheres()}};
 }
 

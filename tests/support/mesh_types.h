@@ -13,7 +13,8 @@ namespace curvdecim::test {
 
 class BareVertex;
 class BareFace;
-struct BareTypes : vcg::UsedTypes<vcg::Use<BareVertex>::AsVertexType, vcg::Use<BareFace>::AsFaceType> {};
+struct BareTypes
+    : vcg::UsedTypes<vcg::Use<BareVertex>::AsVertexType, vcg::Use<BareFace>::AsFaceType> {};
 class BareVertex : public vcg::Vertex<BareTypes, vcg::vertex::Coord3d, vcg::vertex::BitFlags> {};
 class BareFace : public vcg::Face<BareTypes, vcg::face::VertexRef, vcg::face::BitFlags> {};
 class BareMesh : public vcg::tri::TriMesh<std::vector<BareVertex>, std::vector<BareFace>> {};
@@ -22,9 +23,10 @@ class BareMesh : public vcg::tri::TriMesh<std::vector<BareVertex>, std::vector<B
 
 class FloatVertex;
 class FloatFace;
-struct FloatTypes : vcg::UsedTypes<vcg::Use<FloatVertex>::AsVertexType, vcg::Use<FloatFace>::AsFaceType> {};
-class FloatVertex : public vcg::Vertex<FloatTypes, vcg::vertex::Coord3f, vcg::vertex::Normal3f, vcg::vertex::Qualityf,
-                                       vcg::vertex::BitFlags> {};
+struct FloatTypes
+    : vcg::UsedTypes<vcg::Use<FloatVertex>::AsVertexType, vcg::Use<FloatFace>::AsFaceType> {};
+class FloatVertex : public vcg::Vertex<FloatTypes, vcg::vertex::Coord3f, vcg::vertex::Normal3f,
+                                       vcg::vertex::Qualityf, vcg::vertex::BitFlags> {};
 class FloatFace : public vcg::Face<FloatTypes, vcg::face::VertexRef, vcg::face::BitFlags> {};
 class FloatMesh : public vcg::tri::TriMesh<std::vector<FloatVertex>, std::vector<FloatFace>> {};
 
@@ -32,14 +34,16 @@ class FloatMesh : public vcg::tri::TriMesh<std::vector<FloatVertex>, std::vector
 
 class RichVertex;
 class RichFace;
-struct RichTypes : vcg::UsedTypes<vcg::Use<RichVertex>::AsVertexType, vcg::Use<RichFace>::AsFaceType> {};
+struct RichTypes
+    : vcg::UsedTypes<vcg::Use<RichVertex>::AsVertexType, vcg::Use<RichFace>::AsFaceType> {};
 class RichVertex
-    : public vcg::Vertex<RichTypes, vcg::vertex::Coord3d, vcg::vertex::Normal3d, vcg::vertex::Qualityd,
-                         vcg::vertex::Color4b, vcg::vertex::TexCoord2d, vcg::vertex::Radiusf, vcg::vertex::VFAdj,
-                         vcg::vertex::BitFlags> {};
-class RichFace : public vcg::Face<RichTypes, vcg::face::VertexRef, vcg::face::Normal3d, vcg::face::Qualityd,
-                                  vcg::face::Color4b, vcg::face::WedgeTexCoord2d, vcg::face::VFAdj, vcg::face::FFAdj,
-                                  vcg::face::BitFlags> {};
+    : public vcg::Vertex<RichTypes, vcg::vertex::Coord3d, vcg::vertex::Normal3d,
+                         vcg::vertex::Qualityd, vcg::vertex::Color4b, vcg::vertex::TexCoord2d,
+                         vcg::vertex::Radiusf, vcg::vertex::VFAdj, vcg::vertex::BitFlags> {};
+class RichFace
+    : public vcg::Face<RichTypes, vcg::face::VertexRef, vcg::face::Normal3d, vcg::face::Qualityd,
+                       vcg::face::Color4b, vcg::face::WedgeTexCoord2d, vcg::face::VFAdj,
+                       vcg::face::FFAdj, vcg::face::BitFlags> {};
 class RichMesh : public vcg::tri::TriMesh<std::vector<RichVertex>, std::vector<RichFace>> {};
 
 /// Attributes are left at the mesh type's own defaults.

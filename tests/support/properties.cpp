@@ -18,7 +18,9 @@ namespace {
 
 class DisjointSets {
  public:
-  explicit DisjointSets(int count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
+  explicit DisjointSets(int count) : parent_(count) {
+    std::iota(parent_.begin(), parent_.end(), 0);
+  }
 
   int root(int i) {
     while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
@@ -78,11 +80,13 @@ int count_nonmanifold_vertices(const Shape& shape, const EdgeUses& edges) {
   };
   for (const auto& [edge, use] : edges)
     for (std::size_t i = 1; i < use.faces.size(); ++i)
-      for (int v : {edge.first, edge.second}) corners.join(corner(use.faces[0], v), corner(use.faces[i], v));
+      for (int v : {edge.first, edge.second})
+        corners.join(corner(use.faces[0], v), corner(use.faces[i], v));
   std::vector<std::set<int>> fans(shape.vertices.size());
   for (int f = 0; f < shape.face_count(); ++f)
     for (int i = 0; i < 3; ++i) fans[shape.faces[f][i]].insert(corners.root(3 * f + i));
-  return static_cast<int>(std::count_if(fans.begin(), fans.end(), [](const auto& f) { return f.size() > 1; }));
+  return static_cast<int>(
+      std::count_if(fans.begin(), fans.end(), [](const auto& f) { return f.size() > 1; }));
 }
 
 int count_duplicates(const Shape& shape) {
@@ -114,7 +118,8 @@ class Surface {
     for (const Corners& face : shape.faces) {
       centre_.push_back(centre(shape, face));
       radius_.push_back(0.0);
-      for (int v : face) radius_.back() = std::max(radius_.back(), (shape.vertices[v] - centre_.back()).norm());
+      for (int v : face)
+        radius_.back() = std::max(radius_.back(), (shape.vertices[v] - centre_.back()).norm());
     }
   }
 
@@ -135,7 +140,8 @@ class Surface {
     const auto as_vcg = [](const Point& q) { return vcg::Point3d(q.x(), q.y(), q.z()); };
     double distance;
     vcg::Point3d closest;
-    vcg::TrianglePointDistance(vcg::Triangle3<double>(as_vcg(a), as_vcg(b), as_vcg(c)), as_vcg(p), distance, closest);
+    vcg::TrianglePointDistance(vcg::Triangle3<double>(as_vcg(a), as_vcg(b), as_vcg(c)), as_vcg(p),
+                               distance, closest);
     return distance;
   }
 
@@ -148,7 +154,8 @@ double one_sided_distance(const Shape& from, const Shape& to) {
   const Surface surface(to);
   double largest = 0.0;
   for (const Point& p : from.vertices) largest = std::max(largest, surface.nearest(p).distance);
-  for (const Corners& f : from.faces) largest = std::max(largest, surface.nearest(centre(from, f)).distance);
+  for (const Corners& f : from.faces)
+    largest = std::max(largest, surface.nearest(centre(from, f)).distance);
   return largest;
 }
 
@@ -178,30 +185,42 @@ Topology topology(const Shape& shape) {
   }
   t.nonmanifold_vertices = count_nonmanifold_vertices(shape, edges);
   t.duplicate_faces = count_duplicates(shape);
-  t.faces_with_repeated_index = static_cast<int>(std::count_if(shape.faces.begin(), shape.faces.end(), has_repeated_index));
+  t.faces_with_repeated_index =
+      static_cast<int>(std::count_if(shape.faces.begin(), shape.faces.end(), has_repeated_index));
   t.unreferenced_vertices = shape.vertex_count() - used;
   return t;
 }
 
 std::ostream& operator<<(std::ostream& out, const Topology& t) {
-  return out << "euler " << t.euler << ", components " << t.components << ", loops " << t.boundary_loops
-             << ", non-manifold edges " << t.nonmanifold_edges << " and vertices " << t.nonmanifold_vertices
-             << ", inconsistent edges " << t.inconsistent_edges << ", duplicate faces " << t.duplicate_faces
-             << ", repeated indices " << t.faces_with_repeated_index << ", unreferenced " << t.unreferenced_vertices;
+  return out << "euler " << t.euler << ", components " << t.components << ", loops "
+             << t.boundary_loops << ", non-manifold edges " << t.nonmanifold_edges
+             << " and vertices " << t.nonmanifold_vertices << ", inconsistent edges "
+             << t.inconsistent_edges << ", duplicate faces " << t.duplicate_faces
+             << ", repeated indices " << t.faces_with_repeated_index << ", unreferenced "
+             << t.unreferenced_vertices;
 }
 
 bool keeps_topology(const Topology& before, const Topology& after) {
   const auto facts = [](const Topology& t) {
-    return std::array<int, 7>{t.euler,           t.components,                t.boundary_loops,       t.nonmanifold_vertices,
-                              t.duplicate_faces, t.faces_with_repeated_index, t.unreferenced_vertices};
+    return std::array<int, 7>{t.euler,
+                              t.components,
+                              t.boundary_loops,
+                              t.nonmanifold_vertices,
+                              t.duplicate_faces,
+                              t.faces_with_repeated_index,
+                              t.unreferenced_vertices};
   };
-  const auto fewer_but_not_gone = [](int was, int is) { return is <= was && (is > 0) == (was > 0); };
-  return facts(before) == facts(after) && fewer_but_not_gone(before.nonmanifold_edges, after.nonmanifold_edges) &&
+  const auto fewer_but_not_gone = [](int was, int is) {
+    return is <= was && (is > 0) == (was > 0);
+  };
+  return facts(before) == facts(after) &&
+         fewer_but_not_gone(before.nonmanifold_edges, after.nonmanifold_edges) &&
          fewer_but_not_gone(before.inconsistent_edges, after.inconsistent_edges);
 }
 
 bool all_finite(const Shape& shape) {
-  return std::all_of(shape.vertices.begin(), shape.vertices.end(), [](const Point& p) { return p.allFinite(); });
+  return std::all_of(shape.vertices.begin(), shape.vertices.end(),
+                     [](const Point& p) { return p.allFinite(); });
 }
 
 double diagonal(const Shape& shape) {
@@ -235,7 +254,9 @@ int flipped_faces(const Shape& original, const Shape& simplified) {
   return flipped;
 }
 
-double distance_to(const Shape& surface, const Point& p) { return Surface(surface).nearest(p).distance; }
+double distance_to(const Shape& surface, const Point& p) {
+  return Surface(surface).nearest(p).distance;
+}
 
 double two_sided_distance(const Shape& a, const Shape& b) {
   return std::max(one_sided_distance(a, b), one_sided_distance(b, a));
@@ -251,7 +272,8 @@ double smallest_angle(const Shape& shape) {
     for (int i = 0; i < 3; ++i) {
       const Point u = shape.vertices[f[(i + 1) % 3]] - shape.vertices[f[i]];
       const Point v = shape.vertices[f[(i + 2) % 3]] - shape.vertices[f[i]];
-      smallest = std::min(smallest, std::atan2(u.cross(v).norm(), u.dot(v)) * 180.0 / 3.14159265358979323846);
+      smallest = std::min(smallest,
+                          std::atan2(u.cross(v).norm(), u.dot(v)) * 180.0 / 3.14159265358979323846);
     }
   return smallest;
 }

@@ -30,7 +30,8 @@ inline void fill_with_attributes(RichMesh& mesh, const Shape& shape) {
   for (std::size_t f = 0; f < mesh.face.size(); ++f) {
     RichFace& face = mesh.face[f];
     face.Q() = static_cast<double>(f);
-    face.C() = vcg::Color4b(static_cast<unsigned char>(f % 256), static_cast<unsigned char>(f / 256), 1, 255);
+    face.C() = vcg::Color4b(static_cast<unsigned char>(f % 256),
+                            static_cast<unsigned char>(f / 256), 1, 255);
     for (int i = 0; i < 3; ++i) face.WT(i) = vcg::TexCoord2d(face.cP(i)[0], face.cP(i)[1]);
   }
   vcg::tri::UpdateNormal<RichMesh>::PerVertexNormalizedPerFaceNormalized(mesh);

@@ -30,7 +30,8 @@ Shape side_by_side(std::initializer_list<Shape> parts) {
   for (const Shape& part : parts) {
     const int first = all.vertex_count();
     all.vertices.insert(all.vertices.end(), part.vertices.begin(), part.vertices.end());
-    for (const Corners& f : part.faces) all.faces.push_back({f[0] + first, f[1] + first, f[2] + first});
+    for (const Corners& f : part.faces)
+      all.faces.push_back({f[0] + first, f[1] + first, f[2] + first});
   }
   return all;
 }
@@ -42,7 +43,8 @@ Shape renumbered(const Shape& shape, unsigned seed) {
   std::shuffle(new_index.begin(), new_index.end(), random);
   Shape result = shape;
   for (int v = 0; v < shape.vertex_count(); ++v) result.vertices[new_index[v]] = shape.vertices[v];
-  for (Corners& face : result.faces) face = {new_index[face[0]], new_index[face[1]], new_index[face[2]]};
+  for (Corners& face : result.faces)
+    face = {new_index[face[0]], new_index[face[1]], new_index[face[2]]};
   std::shuffle(result.faces.begin(), result.faces.end(), random);
   return result;
 }

@@ -6,7 +6,9 @@
 
 namespace curvdecim::test {
 
-inline TriangleConnectivity connectivity_of(const Shape& shape) { return {shape.faces, shape.vertex_count()}; }
+inline TriangleConnectivity connectivity_of(const Shape& shape) {
+  return {shape.faces, shape.vertex_count()};
+}
 
 /// The shape as the operators see it, without the way to the unit box: in its own unit.
 inline WorkingMesh working_mesh(const Shape& shape) {

@@ -44,7 +44,8 @@ TEST_P(FlatSquare, EndsAsTwoFacesWithItsOutlineAndArea) {
     const Shape two = decimated(square, variant.with_target(2)).shape;
     EXPECT_EQ(two.face_count(), 2);
     EXPECT_NEAR(area(two), 1.0, 1e-9 * reach);
-    for (const Point& corner : posed(two_triangles()).vertices) EXPECT_TRUE(has_vertex(two, corner, 8 * epsilon * reach));
+    for (const Point& corner : posed(two_triangles()).vertices)
+      EXPECT_TRUE(has_vertex(two, corner, 8 * epsilon * reach));
   }
 }
 
@@ -68,27 +69,32 @@ INSTANTIATE_TEST_SUITE_P(Poses, FlatSquare,
                                          Pose{"Oblique", 0.7, {1, 2, 3}, {0, 0, 0}},
                                          Pose{"Offset", 0.0, {0, 0, 1}, {1000, -2000, 500}},
                                          Pose{"ObliqueAndOffset", 2.0, {-3, 1, 1}, {100, 20, -50}}),
-                         [](const testing::TestParamInfo<Pose>& pose) { return std::string(pose.param.name); });
+                         [](const testing::TestParamInfo<Pose>& pose) {
+                           return std::string(pose.param.name);
+                         });
 
 TEST(UprightSquare, KeepsItsPlaneAndOutlineToTheBit) {
   for (const Variant& variant : all_variants()) {
     SCOPED_TRACE(variant.name);
     const Shape after = decimated(plane_grid(16), variant.with_target(20)).shape;
     for (const Point& p : after.vertices) EXPECT_EQ(p.z(), 0.0);
-    for (const Point& corner : two_triangles().vertices) EXPECT_TRUE(has_vertex(after, corner, 0.0));
+    for (const Point& corner : two_triangles().vertices)
+      EXPECT_TRUE(has_vertex(after, corner, 0.0));
   }
 }
 
 TEST(DenseBox, EndsAsTwelveFacesExactly) {
   const Point size(1, 2, 4);
   for (const Variant& variant : all_variants()) {
-    if (variant.params.metric == Metric::CurvatureAdditive) continue;  // it pays for corners that others get free
+    if (variant.params.metric == Metric::CurvatureAdditive)
+      continue;  // it pays for corners that others get free
     SCOPED_TRACE(variant.name);
     const Shape after = decimated(dense_box(6, size), variant.with_target(12)).shape;
     EXPECT_EQ(after.face_count(), 12);
     EXPECT_NEAR(volume(after), size.prod(), 1e-9);
     for (int corner = 0; corner < 8; ++corner) {
-      const Point p((corner & 1) * size.x(), (corner >> 1 & 1) * size.y(), (corner >> 2) * size.z());
+      const Point p((corner & 1) * size.x(), (corner >> 1 & 1) * size.y(),
+                    (corner >> 2) * size.z());
       EXPECT_TRUE(has_vertex(after, p, 8 * epsilon * size.norm()));
     }
   }
@@ -109,7 +115,8 @@ TEST(Annulus, KeepsBothItsOutlinesNearly) {
 }
 
 TEST(HalfEdge, KeepsOriginalVerticesBitForBit) {
-  for (const Shape& shape : {noisy_sphere(3, 0.02), rotated(saddle(16), 1.0, {1, 2, 3}), open_cylinder(32, 10)}) {
+  for (const Shape& shape :
+       {noisy_sphere(3, 0.02), rotated(saddle(16), 1.0, {1, 2, 3}), open_cylinder(32, 10)}) {
     EdgeCollapseParams params = to_faces(shape.face_count() / 5);
     params.preset = Preset::Custom;
     params.placement = Placement::HalfEdge;

@@ -33,7 +33,8 @@ TEST(AttributeBlend, LeavesAVertexThatStaysAlone) {
 }
 
 TEST(AttributeBlend, ReplaysInOrder) {
-  const std::vector<BlendStep> steps = {{0, {0, 1, 2}, {0.5, 0.5, 0.0}}, {2, {0, 1, 2}, {1.0, 0.0, 0.0}}};
+  const std::vector<BlendStep> steps = {{0, {0, 1, 2}, {0.5, 0.5, 0.0}},
+                                        {2, {0, 1, 2}, {1.0, 0.0, 0.0}}};
   std::vector<double> values = {0.0, 4.0, 9.0};
   replay(steps, values);
   EXPECT_EQ(values, (std::vector<double>{2.0, 4.0, 2.0}));

@@ -34,7 +34,9 @@ INSTANTIATE_TEST_SUITE_P(Regions, ClosestPoint,
                                          Region{"SecondEdge", {1, 1, -3}, {0.5, 0.5, 0}},
                                          Region{"ThirdEdge", {-2, 0.6, 0}, {0, 0.6, 0}},
                                          Region{"OnACorner", {1, 0, 0}, {1, 0, 0}}),
-                         [](const testing::TestParamInfo<Region>& region) { return std::string(region.param.name); });
+                         [](const testing::TestParamInfo<Region>& region) {
+                           return std::string(region.param.name);
+                         });
 
 TEST(ClosestPointOf, ATriangleWithoutAreaIsOnItsLongestEdge) {
   const Triangle line{Vector3(0, 0, 0), Vector3(1, 0, 0), Vector3(3, 0, 0)};
@@ -60,7 +62,8 @@ TEST(ClosestPointOf, AnyTriangleIsNearerThanEverySample) {
     constexpr int steps = 12;
     for (int i = 0; i <= steps; ++i)
       for (int j = 0; i + j <= steps; ++j) {
-        const Barycentric sample{double(i) / steps, double(j) / steps, double(steps - i - j) / steps};
+        const Barycentric sample{double(i) / steps, double(j) / steps,
+                                 double(steps - i - j) / steps};
         ASSERT_LE(found, (at(t, sample) - p).norm() + 1e-12);
       }
   }

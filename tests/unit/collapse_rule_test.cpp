@@ -11,7 +11,8 @@ using K = VertexKind;
 const Answer stays = std::nullopt;
 
 /// For an edge 0-1 between vertices of these kinds.
-Answer answer(K a, K b, const DecimationParams& params = {}, bool lock_a = false, bool lock_b = false) {
+Answer answer(K a, K b, const DecimationParams& params = {}, bool lock_a = false,
+              bool lock_b = false) {
   WorkingMesh mesh;
   mesh.kind = {a, b};
   mesh.locked = {lock_a, lock_b};
@@ -33,10 +34,13 @@ TEST(CollapseRule, IsTheTableInTheHeader) {
 
 TEST(CollapseRule, IsSymmetric) {
   const auto mirrored = [](Answer given) {
-    return given == Allowed::OntoA ? Allowed::OntoB : given == Allowed::OntoB ? Answer(Allowed::OntoA) : given;
+    return given == Allowed::OntoA   ? Allowed::OntoB
+           : given == Allowed::OntoB ? Answer(Allowed::OntoA)
+                                     : given;
   };
   for (K a : {K::Interior, K::Boundary, K::Curve, K::Junction})
-    for (K b : {K::Interior, K::Boundary, K::Curve, K::Junction}) EXPECT_EQ(answer(a, b), mirrored(answer(b, a)));
+    for (K b : {K::Interior, K::Boundary, K::Curve, K::Junction})
+      EXPECT_EQ(answer(a, b), mirrored(answer(b, a)));
 }
 
 TEST(CollapseRule, LeavesALockedVertexWhereItIs) {

@@ -48,7 +48,9 @@ TEST(EdgeNeighborhood, CountsANeighbourThatIsInNoWing) {
   EXPECT_EQ(gathered(holed, {0, 2}).common_neighbors(), 2);
 }
 
-TEST(EdgeNeighborhood, OfASpineHasAWingAPage) { EXPECT_EQ(gathered(book(4, 1), {0, 1}).common_neighbors(), 4); }
+TEST(EdgeNeighborhood, OfASpineHasAWingAPage) {
+  EXPECT_EQ(gathered(book(4, 1), {0, 1}).common_neighbors(), 4);
+}
 
 TEST(EdgeNeighborhood, IsForgottenWhenAnotherEdgeIsGathered) {
   const TriangleConnectivity ball = connectivity_of(octahedron());

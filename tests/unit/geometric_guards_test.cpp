@@ -17,7 +17,9 @@ Vector3 tilted(double degrees) {
   return {std::sin(radians), 0.0, std::cos(radians)};
 }
 
-bool turned(double degrees, double cos_limit) { return turns_too_far(tilted(0), {tilted(degrees), 1.0}, cos_limit); }
+bool turned(double degrees, double cos_limit) {
+  return turns_too_far(tilted(0), {tilted(degrees), 1.0}, cos_limit);
+}
 
 TEST(NormalFlip, IsATurnBeyondTheLimit) {
   const double limit = std::cos(30.0 * M_PI / 180.0);
@@ -26,7 +28,9 @@ TEST(NormalFlip, IsATurnBeyondTheLimit) {
   EXPECT_TRUE(turned(180, limit));
 }
 
-TEST(NormalFlip, IsNoneWithoutANormalBefore) { EXPECT_FALSE(turns_too_far(Vector3::Zero(), {tilted(180), 1.0}, 0.0)); }
+TEST(NormalFlip, IsNoneWithoutANormalBefore) {
+  EXPECT_FALSE(turns_too_far(Vector3::Zero(), {tilted(180), 1.0}, 0.0));
+}
 
 TEST(NormalFlip, IsNoneWithALimitOf180Degrees) { EXPECT_FALSE(turned(180, -1.0)); }
 
@@ -65,7 +69,8 @@ TEST(Triangle, WithoutAreaHasNoNormal) {
 TEST(Triangle, HasCornerAnglesThatSumToPi) {
   const Triangle needle{Vector3(0, 0, 0), Vector3(1, 1e-9, 0), Vector3(1, -1e-9, 0)};
   double sum = 0.0;
-  for (int i = 0; i < 3; ++i) sum += corner_angle(needle[i], needle[(i + 1) % 3], needle[(i + 2) % 3]);
+  for (int i = 0; i < 3; ++i)
+    sum += corner_angle(needle[i], needle[(i + 1) % 3], needle[(i + 2) % 3]);
   EXPECT_NEAR(sum, M_PI, 1e-15);
   EXPECT_NEAR(corner_angle(needle[0], needle[1], needle[2]), 2e-9, 1e-20);
 }

@@ -45,7 +45,7 @@ TEST(IndexedHeap, ChangesAKeyInBothDirections) {
   heap.set(2, 0.5);
   EXPECT_EQ(heap.top().index, 2);
   EXPECT_EQ(heap.size(), 3u);
-  EXPECT_EQ(heap.key(0), 9.0);
+  EXPECT_EQ(heap.entry(0).key, 9.0);
 }
 
 TEST(IndexedHeap, RemovesFromTheMiddleAndIgnoresTheAbsent) {
@@ -73,7 +73,8 @@ TEST(IndexedHeap, AgreesWithASortedSet) {
       sorted.insert({key, index});
     }
     ASSERT_EQ(heap.size(), sorted.size());
-    ASSERT_EQ(heap.empty() ? -1 : heap.top().index, sorted.empty() ? -1 : sorted.begin()->second) << "step " << step;
+    ASSERT_EQ(heap.empty() ? -1 : heap.top().index, sorted.empty() ? -1 : sorted.begin()->second)
+        << "step " << step;
   }
 }
 

@@ -22,12 +22,17 @@ bool satisfied(const Shape& shape, Edge edge) {
 TEST(LinkCondition, HoldsInsideASheet) { EXPECT_TRUE(satisfied(plane_grid(4), {12, 17})); }
 TEST(LinkCondition, HoldsOnAClosedSurface) { EXPECT_TRUE(satisfied(octahedron(), {0, 2})); }
 TEST(LinkCondition, HoldsAlongTheBoundary) { EXPECT_TRUE(satisfied(plane_grid(4), {1, 2})); }
-TEST(LinkCondition, HoldsFromInsideOntoTheBoundary) { EXPECT_TRUE(satisfied(plane_grid(4), {2, 7})); }
+TEST(LinkCondition, HoldsFromInsideOntoTheBoundary) {
+  EXPECT_TRUE(satisfied(plane_grid(4), {2, 7}));
+}
 TEST(LinkCondition, HoldsAlongASpine) { EXPECT_TRUE(satisfied(book(3, 4), {1, 2})); }
-TEST(LinkCondition, HoldsForTheLastButOneTriangle) { EXPECT_TRUE(satisfied(two_triangles(), {0, 1})); }
+TEST(LinkCondition, HoldsForTheLastButOneTriangle) {
+  EXPECT_TRUE(satisfied(two_triangles(), {0, 1}));
+}
 
 TEST(LinkCondition, RefusesToFlattenATetrahedron) {
-  for (Edge edge : {Edge{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}) EXPECT_FALSE(satisfied(tetrahedron(), edge));
+  for (Edge edge : {Edge{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}})
+    EXPECT_FALSE(satisfied(tetrahedron(), edge));
 }
 
 TEST(LinkCondition, RefusesToRemoveTheLastTriangle) {
@@ -35,7 +40,7 @@ TEST(LinkCondition, RefusesToRemoveTheLastTriangle) {
 }
 
 TEST(LinkCondition, RefusesAnInnerEdgeBetweenTwoBoundaryVertices) {
-  EXPECT_FALSE(satisfied(two_triangles(), {0, 2}));   // would leave nothing
+  EXPECT_FALSE(satisfied(two_triangles(), {0, 2}));    // would leave nothing
   EXPECT_FALSE(satisfied(triangle_strip(6), {3, 4}));  // would pinch the strip
 }
 
@@ -52,7 +57,7 @@ TEST(LinkCondition, RefusesToCutAThinTube) {
 }
 
 TEST(LinkCondition, RefusesToCloseAThinRing) {
-  const Shape ring = torus(3, 8);          // three columns around the hole
+  const Shape ring = torus(3, 8);  // three columns around the hole
   EXPECT_FALSE(satisfied(ring, {1, 9}));
 }
 
@@ -83,15 +88,24 @@ TEST(LinkCondition, RefusesTwoEdgesOfACurveThatMeetAgain) {
 class LinkConditionOn : public testing::TestWithParam<int> {};
 
 TEST_P(LinkConditionOn, EveryEdgeAgreesWithTheTopologyAfterwards) {
-  const Shape shapes[] = {octahedron(), cube(), torus(4, 3), open_cylinder(3, 3), annulus(4, 1), moebius_strip(5, 2),
-                          grid_with_small_holes(8), bowtie(), triangle_strip(5), klein_bottle(5, 4)};
+  const Shape shapes[] = {octahedron(),
+                          cube(),
+                          torus(4, 3),
+                          open_cylinder(3, 3),
+                          annulus(4, 1),
+                          moebius_strip(5, 2),
+                          grid_with_small_holes(8),
+                          bowtie(),
+                          triangle_strip(5),
+                          klein_bottle(5, 4)};
   const Shape& shape = shapes[GetParam()];
   const Topology before = topology(shape);
   ASSERT_EQ(before.unreferenced_vertices, 0);
   for (int a = 0; a < shape.vertex_count(); ++a)
     for (int b = a + 1; b < shape.vertex_count(); ++b) {
       WorkingMesh mesh = working_mesh(shape);
-      if (!mesh.connectivity.has_edge(a, b) || mesh.kind[a] == VertexKind::Junction || mesh.kind[b] == VertexKind::Junction)
+      if (!mesh.connectivity.has_edge(a, b) || mesh.kind[a] == VertexKind::Junction ||
+          mesh.kind[b] == VertexKind::Junction)
         continue;
       const bool allowed = satisfied(shape, {a, b});
       mesh.connectivity.collapse(a, b);

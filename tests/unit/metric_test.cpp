@@ -10,7 +10,8 @@
 namespace curvdecim::test {
 namespace {
 
-EdgeCollapseParams custom(Quadrics quadrics = Quadrics::Accumulated, Placement placement = Placement::HalfEdge) {
+EdgeCollapseParams custom(Quadrics quadrics = Quadrics::Accumulated,
+                          Placement placement = Placement::HalfEdge) {
   EdgeCollapseParams params;
   params.preset = Preset::Custom;
   params.quadrics = quadrics;
@@ -26,7 +27,8 @@ Candidate evaluated(MetricType metric, Edge edge, Allowed allowed = Allowed::Any
 
 /// A ridge: two planes that meet in the y axis under 90 degrees, as a 2 x 4 lattice.
 Shape ridge() {
-  return mapped(plane_grid(4), [](const Point& p) { return Point(p.x(), p.y(), -std::abs(p.x() - 0.5)); });
+  return mapped(plane_grid(4),
+                [](const Point& p) { return Point(p.x(), p.y(), -std::abs(p.x() - 0.5)); });
 }
 
 // --- planes --------------------------------------------------------------------------------------
@@ -57,7 +59,8 @@ TEST(ConstraintQuadrics, GrowWithTheWeightAndTheAreaOfTheEdge) {
   DecimationParams params;
   params.boundary_weight = 3.0;
   const double squared_length = 0.25 * 0.25;
-  EXPECT_NEAR(constraints(plane_grid(4), params)[2].value({1, 0, 0}), 3.0 * 2.0 * squared_length, 1e-15);
+  EXPECT_NEAR(constraints(plane_grid(4), params)[2].value({1, 0, 0}), 3.0 * 2.0 * squared_length,
+              1e-15);
 }
 
 TEST(ConstraintQuadrics, AreNoneOnASmoothClosedMeshOrWithoutWeight) {
@@ -83,8 +86,10 @@ class QuadricMetricWith : public testing::TestWithParam<Quadrics> {};
 
 TEST_P(QuadricMetricWith, CostsNothingInAPlane) {
   const WorkingMesh mesh = working_mesh(plane_grid(4));
-  for (Placement placement : {Placement::Optimal, Placement::Line, Placement::EndpointOrMidpoint, Placement::HalfEdge})
-    EXPECT_NEAR(evaluated(QuadricMetric(mesh, custom(GetParam(), placement)), {12, 17}).cost, 0.0, 1e-30);
+  for (Placement placement :
+       {Placement::Optimal, Placement::Line, Placement::EndpointOrMidpoint, Placement::HalfEdge})
+    EXPECT_NEAR(evaluated(QuadricMetric(mesh, custom(GetParam(), placement)), {12, 17}).cost, 0.0,
+                1e-30);
 }
 
 TEST_P(QuadricMetricWith, CostsNothingAlongARidgeAndSomethingAcross) {
@@ -96,14 +101,16 @@ TEST_P(QuadricMetricWith, CostsNothingAlongARidgeAndSomethingAcross) {
 
 TEST_P(QuadricMetricWith, KeepsAnEndToTheBit) {
   const WorkingMesh mesh = working_mesh(rotated(ridge(), 1.0, {1, 2, 3}));
-  const QuadricMetric metric(mesh, custom(GetParam()));
+  const EdgeCollapseParams params = custom(GetParam());
+  const QuadricMetric metric(mesh, params);
   EXPECT_EQ(evaluated(metric, {7, 12}, Allowed::OntoA).position, mesh.position[7]);
   EXPECT_EQ(evaluated(metric, {7, 12}, Allowed::OntoA).t, 0.0);
   EXPECT_EQ(evaluated(metric, {7, 12}, Allowed::OntoB).position, mesh.position[12]);
   EXPECT_EQ(evaluated(metric, {7, 12}, Allowed::OntoB).t, 1.0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Both, QuadricMetricWith, testing::Values(Quadrics::Memoryless, Quadrics::Accumulated));
+INSTANTIATE_TEST_SUITE_P(Both, QuadricMetricWith,
+                         testing::Values(Quadrics::Memoryless, Quadrics::Accumulated));
 
 TEST(QuadricMetric, AccumulatedIsTheSumOfSquaredDistancesToThePlanes) {
   const WorkingMesh mesh = working_mesh(cube());
@@ -116,7 +123,9 @@ TEST(QuadricMetric, AccumulatedIsTheSumOfSquaredDistancesToThePlanes) {
       const double d = mesh.plane[f].normal.dot(mesh.position[b] - mesh.position[v]);
       expected += d * d;
     }
-  EXPECT_NEAR(evaluated(QuadricMetric(mesh, params), {std::min(a, b), std::max(a, b)}, a < b ? Allowed::OntoB : Allowed::OntoA).cost,
+  EXPECT_NEAR(evaluated(QuadricMetric(mesh, params), {std::min(a, b), std::max(a, b)},
+                        a < b ? Allowed::OntoB : Allowed::OntoA)
+                  .cost,
               expected, 1e-12);
 }
 
@@ -133,8 +142,10 @@ TEST(QuadricMetric, MergedCarriesThePlanesOfBothWhenAccumulated) {
   metric.merge({edge.a, edge.b, a, b, a, 0.0}, {});
   EXPECT_GT(cost, 0.0);
   const int neighbour = face[2];
-  const double after = metric.evaluate({std::min(edge.a, neighbour), std::max(edge.a, neighbour)},
-                                       edge.a < neighbour ? Allowed::OntoA : Allowed::OntoB)->cost;
+  const double after = metric
+                           .evaluate({std::min(edge.a, neighbour), std::max(edge.a, neighbour)},
+                                     edge.a < neighbour ? Allowed::OntoA : Allowed::OntoB)
+                           ->cost;
   EXPECT_GE(after, cost);  // what the first collapse did is not forgotten
 }
 
@@ -147,10 +158,13 @@ double weighted_cost(const WorkingMesh& mesh, EdgeCollapseParams params, Edge ed
 TEST(CurvatureWeightedMetric, IsTheQuadricTimesTheFactorOfBothEnds) {
   const WorkingMesh mesh = working_mesh(saddle(6));
   EdgeCollapseParams params = custom();
-  params.alpha_units = AlphaUnits::ModelUnits, params.curvature_kind = CurvatureKind::Gaussian, params.alpha = 0.1;
-  const double k = std::abs(vertex_curvature(mesh, 24).gaussian) + std::abs(vertex_curvature(mesh, 25).gaussian);
+  params.alpha_units = AlphaUnits::ModelUnits, params.curvature_kind = CurvatureKind::Gaussian,
+  params.alpha = 0.1;
+  const double k =
+      std::abs(vertex_curvature(mesh, 24).gaussian) + std::abs(vertex_curvature(mesh, 25).gaussian);
   const double plain = evaluated(QuadricMetric(mesh, params), {24, 25}, Allowed::OntoA).cost;
-  EXPECT_NEAR(weighted_cost(mesh, params, {24, 25}), plain * (1.0 - std::exp(-0.1 * k)), 1e-15 * plain);
+  EXPECT_NEAR(weighted_cost(mesh, params, {24, 25}), plain * (1.0 - std::exp(-0.1 * k)),
+              1e-15 * plain);
 }
 
 TEST(CurvatureWeightedMetric, WithInfiniteAlphaIsTheQuadric) {
@@ -158,17 +172,20 @@ TEST(CurvatureWeightedMetric, WithInfiniteAlphaIsTheQuadric) {
   EdgeCollapseParams params = custom();
   for (double alpha : {0.0, -1.0}) {
     params.alpha = alpha;
-    EXPECT_EQ(weighted_cost(mesh, params, {24, 25}), evaluated(QuadricMetric(mesh, params), {24, 25}, Allowed::OntoA).cost);
+    EXPECT_EQ(weighted_cost(mesh, params, {24, 25}),
+              evaluated(QuadricMetric(mesh, params), {24, 25}, Allowed::OntoA).cost);
   }
 }
 
 // --- curvature additive --------------------------------------------------------------------------
 
-double additive_term(const Shape& shape, CurvatureTerm term, Edge edge) {
+double additive_term(const Shape& shape, CurvatureTerm term, Edge edge,
+                     PlaneWeight weight = PlaneWeight::Unit) {
   const WorkingMesh mesh = working_mesh(shape);
   EdgeCollapseParams params = custom();
-  params.curvature_term = term, params.lambda = 2.0;
-  return (evaluated(CurvatureAdditiveMetric(mesh, params), edge).cost - evaluated(QuadricMetric(mesh, params), edge).cost) / 2.0;
+  params.curvature_term = term, params.lambda = 2.0, params.plane_weight = weight;
+  const double with = evaluated(CurvatureAdditiveMetric(mesh, params), edge).cost;
+  return (with - evaluated(QuadricMetric(mesh, params), edge).cost) / params.lambda;
 }
 
 TEST(CurvatureAdditiveMetric, AddsNothingInAPlaneAsMelax) {
@@ -179,9 +196,16 @@ TEST(CurvatureAdditiveMetric, AddsTheLengthInAPlaneAsPrinted) {
   EXPECT_NEAR(additive_term(plane_grid(4), CurvatureTerm::Literal, {12, 17}), 0.25, 1e-15);
 }
 
+TEST(CurvatureAdditiveMetric, GoesWithTheAreaOfTheFacesWhereThePlanesDo) {
+  constexpr double area_of_a_face = 0.5 / 16;
+  EXPECT_NEAR(additive_term(plane_grid(4), CurvatureTerm::Literal, {12, 17}, PlaneWeight::Area),
+              0.25 * area_of_a_face, 1e-15);
+}
+
 TEST(CurvatureAdditiveMetric, AddsTheTurnAcrossARidgeTimesTheLength) {
   // Across: all edge faces lie on one side, the other side's are at 90 degrees: (1 - 0) / 2.
-  EXPECT_NEAR(additive_term(ridge(), CurvatureTerm::Melax, {7, 12}), 0.5 * std::sqrt(2.0) * 0.25, 1e-12);
+  EXPECT_NEAR(additive_term(ridge(), CurvatureTerm::Melax, {7, 12}), 0.5 * std::sqrt(2.0) * 0.25,
+              1e-12);
   // Along: each side has an edge face of its own.
   EXPECT_NEAR(additive_term(ridge(), CurvatureTerm::Melax, {11, 12}), 0.0, 1e-12);
 }

@@ -52,7 +52,9 @@ TEST(Placement, LineIsTheMidpointOfAFlatQuadric) {
 }
 
 TEST(Placement, EndpointOrMidpointTakesTheBestOfThree) {
-  const auto t = [](double x) { return place(plane_across_at(x), half, Allowed::Anywhere, Placement::EndpointOrMidpoint).t; };
+  const auto t = [](double x) {
+    return place(plane_across_at(x), half, Allowed::Anywhere, Placement::EndpointOrMidpoint).t;
+  };
   EXPECT_EQ(t(-0.8), 0.0);
   EXPECT_EQ(t(0.1), 0.5);
   EXPECT_EQ(t(0.7), 1.0);
@@ -67,7 +69,8 @@ TEST(Placement, HalfEdgeTakesTheBetterEndExactly) {
 }
 
 TEST(Placement, GoesWhereTheKindsDemandWhateverItIs) {
-  for (Placement placement : {Placement::Optimal, Placement::Line, Placement::EndpointOrMidpoint, Placement::HalfEdge}) {
+  for (Placement placement :
+       {Placement::Optimal, Placement::Line, Placement::EndpointOrMidpoint, Placement::HalfEdge}) {
     EXPECT_EQ(place(plane_across_at(0.9), half, Allowed::OntoA, placement).offset, -half);
     EXPECT_EQ(place(plane_across_at(-0.9), half, Allowed::OntoB, placement).offset, half);
   }
@@ -75,7 +78,8 @@ TEST(Placement, GoesWhereTheKindsDemandWhateverItIs) {
 
 TEST(Placement, OfAnEdgeWithoutLengthIsItsPoint) {
   for (Placement placement : {Placement::Line, Placement::EndpointOrMidpoint, Placement::HalfEdge})
-    EXPECT_EQ(place(plane_across_at(0.9), Vector3::Zero(), Allowed::Anywhere, placement).offset, Vector3(0, 0, 0));
+    EXPECT_EQ(place(plane_across_at(0.9), Vector3::Zero(), Allowed::Anywhere, placement).offset,
+              Vector3(0, 0, 0));
 }
 
 }  // namespace

@@ -29,7 +29,8 @@ TEST(Symmetric3, OuterProductIsWeighted) {
 
 TEST(Symmetric3, MultipliesAddsAndTracesLikeAMatrix) {
   Random random;
-  const Symmetric3 a = Symmetric3::outer(random.vector(), 1.0) + Symmetric3::outer(random.vector(), 3.0);
+  const Symmetric3 a =
+      Symmetric3::outer(random.vector(), 1.0) + Symmetric3::outer(random.vector(), 3.0);
   const Vector3 v = random.vector();
   EXPECT_LT((a * v - dense(a) * v).norm(), 1e-15);
   EXPECT_DOUBLE_EQ(a.trace(), dense(a).trace());

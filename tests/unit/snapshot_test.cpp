@@ -17,7 +17,8 @@ Snapshot snapshot_of(const Shape& shape) {
 }
 
 TEST(Snapshot, LiesInACentredBoxOfDiagonalOne) {
-  const Snapshot snapshot = snapshot_of(translated(scaled(dense_box(2, {1, 2, 3}), 40.0), {5, 6, 7}));
+  const Snapshot snapshot =
+      snapshot_of(translated(scaled(dense_box(2, {1, 2, 3}), 40.0), {5, 6, 7}));
   Shape inside{snapshot.mesh.position, {}};
   EXPECT_NEAR(diagonal(inside), 1.0, 1e-15);
   Point sum = Point::Zero();
@@ -30,7 +31,9 @@ TEST(Snapshot, KnowsTheWayBack) {
   const Shape shape = icosphere(1);
   const Snapshot snapshot = snapshot_of(shape);
   for (int v = 0; v < shape.vertex_count(); ++v)
-    EXPECT_LT((snapshot.to_user(snapshot.mesh.position[v]) - shape.vertices[snapshot.vertex_of[v]]).norm(), 1e-15);
+    EXPECT_LT((snapshot.to_user(snapshot.mesh.position[v]) - shape.vertices[snapshot.vertex_of[v]])
+                  .norm(),
+              1e-15);
 }
 
 TEST(Snapshot, LeavesOutDeletedAndUnusedElements) {
@@ -46,8 +49,9 @@ TEST(Snapshot, LeavesOutDeletedAndUnusedElements) {
 
 TEST(Snapshot, NamesTheFacesThatCannotBeUsed) {
   Shape shape = octahedron();
-  shape.faces.insert(shape.faces.begin(), {1, 1, 2});                                        // 0
-  shape.faces.push_back({shape.faces[1][1], shape.faces[1][0], shape.faces[1][2]});  // 9: face 1 turned over
+  shape.faces.insert(shape.faces.begin(), {1, 1, 2});  // 0
+  shape.faces.push_back(
+      {shape.faces[1][1], shape.faces[1][0], shape.faces[1][2]});  // 9: face 1 turned over
   EXPECT_EQ(snapshot_of(shape).unusable, (std::vector<int>{0, 9}));
   EXPECT_EQ(snapshot_of(shape).mesh.connectivity.face_count(), 8);
 }
@@ -63,7 +67,8 @@ TEST(Snapshot, ReadsTheSelection) {
 
 TEST(Snapshot, IsTheSameForAMeshScaledByAPowerOfTwo) {
   for (int exponent : {-1000, -60, 60, 900})
-    EXPECT_EQ(snapshot_of(scaled(icosphere(1), std::ldexp(1.0, exponent))).mesh.position, snapshot_of(icosphere(1)).mesh.position);
+    EXPECT_EQ(snapshot_of(scaled(icosphere(1), std::ldexp(1.0, exponent))).mesh.position,
+              snapshot_of(icosphere(1)).mesh.position);
 }
 
 }  // namespace

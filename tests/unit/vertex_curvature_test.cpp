@@ -13,9 +13,13 @@
 namespace curvdecim::test {
 namespace {
 
-std::vector<VertexCurvature> curvatures(const Shape& shape) { return vertex_curvatures(working_mesh(shape), Parallel(1)); }
+std::vector<VertexCurvature> curvatures(const Shape& shape) {
+  return vertex_curvatures(working_mesh(shape), Parallel(1));
+}
 
-VertexCurvature at_vertex(const Shape& shape, int v) { return vertex_curvature(working_mesh(shape), v); }
+VertexCurvature at_vertex(const Shape& shape, int v) {
+  return vertex_curvature(working_mesh(shape), v);
+}
 
 TEST(VertexCurvature, OfAPlaneIsZero) {
   for (const VertexCurvature& c : curvatures(plane_grid(4))) EXPECT_NEAR(c.absolute(), 0.0, 1e-12);
@@ -45,7 +49,8 @@ TEST(VertexCurvature, IsFiniteWhereFacesHaveNoArea) {
 }
 
 TEST(VertexCurvature, ScalesWithTheInverseLength) {
-  const VertexCurvature one = at_vertex(saddle(10), 60), half = at_vertex(scaled(saddle(10), 2.0), 60);
+  const VertexCurvature one = at_vertex(saddle(10), 60),
+                        half = at_vertex(scaled(saddle(10), 2.0), 60);
   EXPECT_DOUBLE_EQ(half.gaussian, one.gaussian / 4.0);
   EXPECT_DOUBLE_EQ(half.absolute(), one.absolute() / 2.0);
 }
@@ -79,11 +84,14 @@ TEST(CurvatureWeight, IsAccurateForTinyCurvature) {
 
 TEST(CurvatureWeight, InModelUnitsIsThePapersFormula) {
   CurvatureParams params;
-  params.alpha = 0.01, params.alpha_units = AlphaUnits::ModelUnits, params.curvature_kind = CurvatureKind::Gaussian;
+  params.alpha = 0.01, params.alpha_units = AlphaUnits::ModelUnits,
+  params.curvature_kind = CurvatureKind::Gaussian;
   const double diagonal = 10.0, k_model = 30.0;  // in the box of diagonal 1 that is K diagonal^2
-  EXPECT_NEAR(curvature_weight(params, {}, diagonal)(k_model * diagonal * diagonal), 1.0 - std::exp(-0.01 * k_model), 1e-12);
+  EXPECT_NEAR(curvature_weight(params, {}, diagonal)(k_model * diagonal * diagonal),
+              1.0 - std::exp(-0.01 * k_model), 1e-12);
   params.curvature_kind = CurvatureKind::Absolute;
-  EXPECT_NEAR(curvature_weight(params, {}, diagonal)(k_model * diagonal), 1.0 - std::exp(-0.01 * k_model), 1e-12);
+  EXPECT_NEAR(curvature_weight(params, {}, diagonal)(k_model * diagonal),
+              1.0 - std::exp(-0.01 * k_model), 1e-12);
 }
 
 TEST(CurvatureWeight, ScaleFreeIsRelativeToTheAreaWeightedMean) {

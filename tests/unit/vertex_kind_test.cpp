@@ -11,7 +11,9 @@
 namespace curvdecim::test {
 namespace {
 
-std::vector<VertexKind> kinds(const Shape& shape) { return classify_vertices(connectivity_of(shape)); }
+std::vector<VertexKind> kinds(const Shape& shape) {
+  return classify_vertices(connectivity_of(shape));
+}
 
 int count(const Shape& shape, VertexKind kind) {
   const std::vector<VertexKind> all = kinds(shape);

@@ -57,6 +57,15 @@ class EdgeNeighborhood {
   int common_neighbors_ = 0;
 };
 
+inline bool is_boundary_edge(const TriangleConnectivity& connectivity, int a, int b) {
+  return connectivity.edge_valence(a, b) == 1;
+}
+
+/// An edge of the boundary, or one where more than two faces meet.
+inline bool is_singular_edge(const TriangleConnectivity& connectivity, int a, int b) {
+  return connectivity.edge_valence(a, b) != 2;
+}
+
 /// Calls visit(u) once for every neighbour u of v.
 template <class Visit>
 void for_each_neighbor(const TriangleConnectivity& connectivity, int v, VertexMarks& marks, Visit visit) {

@@ -87,6 +87,13 @@ class TriangleConnectivity {
     return -1;
   }
 
+  /// Faces at the edge ab.
+  int edge_valence(int a, int b) const {
+    int faces = 0;
+    for (int f : faces_of(a)) faces += face_has(f, b);
+    return faces;
+  }
+
   void remove_face(int f) {
     for (int v : faces_[f]) {
       erase(lists_[v], f);

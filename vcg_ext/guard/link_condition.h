@@ -6,13 +6,6 @@
 
 namespace curvdecim {
 
-/// An edge of the boundary, or one where more than two faces meet.
-inline bool is_singular_edge(const TriangleConnectivity& connectivity, int a, int b) {
-  int faces = 0;
-  for (int f : connectivity.faces_of(a)) faces += connectivity.face_has(f, b);
-  return faces != 2;
-}
-
 /// Link condition @cite dey1999: the links of both ends meet in the link of the edge and nowhere
 /// else, and the same holds within the graph of singular edges. So no hole closes or merges with
 /// another, no component vanishes and no face doubles another.

@@ -4,26 +4,44 @@
 #include <cmath>
 #include <vector>
 
-#include "vcg_ext/geometry/quadric.h"
+#include "vcg_ext/connectivity/edge_neighborhood.h"
+#include "vcg_ext/geometry/symmetric3.h"
 #include "vcg_ext/mesh/working_mesh.h"
 #include "vcg_ext/params.h"
 
 namespace curvdecim {
 
+/// Plane through an edge of face f, perpendicular to the face, about either end of the edge.
+inline Symmetric3 edge_plane_matrix(const WorkingMesh& mesh, int f, int a, int b, PlaneWeight weight) {
+  const Vector3 edge = mesh.position[b] - mesh.position[a];
+  const Vector3 across = edge.cross(mesh.plane[f].normal);
+  const double length = across.norm();
+  if (!(length > 0.0)) return {};
+  return Symmetric3::outer(across / length, weight == PlaneWeight::Area ? edge.squaredNorm() : 1.0);
+}
+
+/// The same, summed over the edges of the current boundary at v.
+inline Symmetric3 boundary_matrix(const WorkingMesh& mesh, int v, PlaneWeight weight) {
+  Symmetric3 sum;
+  for (int f : mesh.connectivity.faces_of(v))
+    for (int u : mesh.connectivity.face(f))
+      if (u != v && is_boundary_edge(mesh.connectivity, v, u)) sum += edge_plane_matrix(mesh, f, v, u, weight);
+  return sum;
+}
+
 /// Planes through the boundary and feature edges of the input, perpendicular to the faces there
-/// @cite garland1997; about each of the edge's two vertices. They are accumulated whatever the
-/// quadrics of the faces are, since the current mesh no longer knows where the curve once ran.
+/// @cite garland1997, about each of the edge's two vertices, which they pass through.
 class ConstraintQuadrics {
  public:
   ConstraintQuadrics(const WorkingMesh& mesh, const DecimationParams& params, PlaneWeight weight)
       : mesh_(mesh), params_(params), weight_(weight), cos_feature_(std::cos(radians(params.feature_angle))) {}
 
   /// By vertex; empty where the mesh has no such edge.
-  std::vector<Quadric> build() {
+  std::vector<Symmetric3> build() {
     if (params_.boundary_weight > 0.0)
       for (int f = 0; f < mesh_.connectivity.face_slots(); ++f)
         for (int i = 0; i < 3; ++i) add_edge(f, i);
-    return std::move(quadrics_);
+    return std::move(matrices_);
   }
 
  private:
@@ -49,22 +67,17 @@ class ConstraintQuadrics {
   }
 
   void add_plane(int f, int a, int b) {
-    const Vector3 edge = mesh_.position[b] - mesh_.position[a];
-    const Vector3 across = edge.cross(mesh_.plane[f].normal);
-    const double length = across.norm();
-    if (!(length > 0.0)) return;
-    if (quadrics_.empty()) quadrics_.resize(mesh_.position.size());
-    const double unit = weight_ == PlaneWeight::Area ? edge.squaredNorm() : 1.0;
-    const Symmetric3 plane = Symmetric3::outer(across / length, params_.boundary_weight * unit);
-    quadrics_[a].a += plane;
-    quadrics_[b].a += plane;
+    if (matrices_.empty()) matrices_.resize(mesh_.position.size());
+    const Symmetric3 plane = edge_plane_matrix(mesh_, f, a, b, weight_) * params_.boundary_weight;
+    matrices_[a] += plane;
+    matrices_[b] += plane;
   }
 
   const WorkingMesh& mesh_;
   const DecimationParams& params_;
   const PlaneWeight weight_;
   const double cos_feature_;
-  std::vector<Quadric> quadrics_;
+  std::vector<Symmetric3> matrices_;
 };
 
 }  // namespace curvdecim

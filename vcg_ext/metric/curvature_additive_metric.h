@@ -20,13 +20,23 @@ class CurvatureAdditiveMetric {
 
   std::optional<Candidate> evaluate(Edge edge, Allowed allowed) const {
     std::optional<Candidate> candidate = quadric_.evaluate(edge, allowed);
-    if (candidate) candidate->cost += params_.lambda * edge_curvature(edge);
+    if (candidate) candidate->cost += params_.lambda * plane_unit(edge) * edge_curvature(edge);
     return candidate;
   }
 
   void merge(const Collapse& collapse, const std::vector<int>& ring) { quadric_.merge(collapse, ring); }
 
  private:
+  /// What one plane weighs around the edge, so that lambda means the same with area weights.
+  double plane_unit(Edge edge) const {
+    if (params_.plane_weight == PlaneWeight::Unit) return 1.0;
+    double area = 0.0;
+    int faces = 0;
+    for (int v : {edge.a, edge.b})
+      for (int f : mesh_.connectivity.faces_of(v)) area += mesh_.plane[f].area, ++faces;
+    return area / faces;
+  }
+
   /// Edge length times the largest deviation of a face around from the edge's own faces.
   double edge_curvature(Edge edge) const {
     double largest = 0.0;

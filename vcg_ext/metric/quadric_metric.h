@@ -22,13 +22,14 @@ class QuadricMetric {
       : mesh_(mesh), params_(params), memoryless_(params.quadrics == Quadrics::Memoryless) {}
 
   void initialize(const Parallel& parallel) {
-    const std::vector<Quadric> constraints = ConstraintQuadrics(mesh_, params_, params_.plane_weight).build();
+    const std::vector<Symmetric3> constraints = ConstraintQuadrics(mesh_, params_, params_.plane_weight).build();
     carried_.resize(mesh_.position.size());
     quadric_.resize(memoryless_ ? carried_.size() : 0);
     gradient_.resize(quadric_.size());
     parallel.for_each(static_cast<int>(carried_.size()), [&](int v) {
-      carried_[v].a = plane_matrix(mesh_, v, params_.plane_weight) * (memoryless_ ? memory : 1.0);
-      if (!constraints.empty()) carried_[v] += constraints[v];
+      carried_[v].a = plane_matrix(mesh_, v, params_.plane_weight);
+      if (!constraints.empty()) carried_[v].a += constraints[v];
+      if (memoryless_) carried_[v].a = carried_[v].a * memory;
       if (memoryless_) recompute(v);
     });
   }
@@ -39,7 +40,8 @@ class QuadricMetric {
     const std::vector<Quadric>& quadrics = memoryless_ ? quadric_ : carried_;
     const Quadric q = quadrics[edge.a].with_origin_moved(half) + quadrics[edge.b].with_origin_moved(-half);
     const Placed placed = place(q, half, allowed, params_.placement, volume_plane(edge, half, allowed));
-    const double cost = std::max(q.value(placed.offset), 0.0);
+    double cost = q.value(placed.offset);
+    if (cost <= rounding * rounding * q.a.trace()) cost = 0.0;
     if (placed.offset == -half) return Candidate{cost, a, 0.0};  // not rounded: the vertex itself
     if (placed.offset == half) return Candidate{cost, b, 1.0};
     return Candidate{cost, a + (half + placed.offset), placed.t};
@@ -55,6 +57,9 @@ class QuadricMetric {
   }
 
  private:
+  /// Distances below this are rounding, in a box of diagonal 1; planes tie exactly then.
+  static constexpr double rounding = 1e-14;
+
   /// How much of the input's planes a memoryless vertex carries: enough that thin parts are not
   /// worn away collapse by collapse, too little to show elsewhere.
   static constexpr double memory = 0.1;
@@ -62,6 +67,8 @@ class QuadricMetric {
   void recompute(int v) {
     quadric_[v] = carried_[v];
     quadric_[v].a += plane_matrix(mesh_, v, params_.plane_weight);
+    if (mesh_.kind[v] == VertexKind::Boundary)
+      quadric_[v].a += boundary_matrix(mesh_, v, params_.plane_weight) * params_.boundary_weight;
     gradient_[v] = volume_gradient(mesh_, v);
   }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <tuple>
 #include <vector>
 
 #include "vcg_ext/guard/collapse_rule.h"
@@ -14,6 +15,7 @@
 #include "vcg_ext/guard/triangle_shape.h"
 #include "vcg_ext/operators/collapse_observer.h"
 #include "vcg_ext/operators/stop_criterion.h"
+#include "vcg_ext/operators/refresh_schedule.h"
 #include "vcg_ext/parallel.h"
 #include "vcg_ext/params.h"
 #include "vcg_ext/queue/edge_queue.h"
@@ -48,6 +50,7 @@ class EdgeCollapse {
         marks_(mesh.connectivity.vertex_slots()),
         rule_(mesh, params),
         bound_(mesh, params.max_error),
+        schedule_(mesh.connectivity.vertex_slots()),
         input_normal_(mesh.plane.size()),
         cos_normal_(params.preserve_normal ? std::cos(params.normal_angle * (M_PI / 180.0)) : -1.0) {
     for (std::size_t f = 0; f < input_normal_.size(); ++f) input_normal_[f] = mesh.plane[f].normal;
@@ -105,10 +108,16 @@ class EdgeCollapse {
     return candidate;
   }
 
+  Priority priority(Edge edge, double cost) const {
+    return {cost, static_cast<float>((mesh_.position[edge.a] - mesh_.position[edge.b]).squaredNorm())};
+  }
+
   struct Option {
-    double cost;
+    Priority priority;
     int partner;
-    bool operator<(const Option& o) const { return cost < o.cost || (cost == o.cost && partner < o.partner); }
+    bool operator<(const Option& o) const {
+      return std::tie(priority.cost, priority.length2, partner) < std::tie(o.priority.cost, o.priority.length2, o.partner);
+    }
   };
 
   /// The edges that v owns (to neighbours with a higher index) with their costs.
@@ -116,7 +125,7 @@ class EdgeCollapse {
     options.clear();
     for_each_neighbor(mesh_.connectivity, v, marks, [&](int u) {
       if (u < v) return;
-      if (const auto candidate = evaluate({v, u})) options.push_back({candidate->cost, u});
+      if (const auto candidate = evaluate({v, u})) options.push_back({priority({v, u}, candidate->cost), u});
     });
   }
 
@@ -126,7 +135,7 @@ class EdgeCollapse {
     gather_options(v, marks_, options_);
     if (options_.empty()) return queue_.remove(v);
     const Option best = *std::min_element(options_.begin(), options_.end());
-    queue_.set({v, best.partner}, best.cost);
+    queue_.set({v, best.partner}, best.priority);
   }
 
   /// The cheapest edge of v that no guard refuses.
@@ -135,7 +144,7 @@ class EdgeCollapse {
     std::sort(options_.begin(), options_.end());
     for (const Option& option : options_) {
       around_.gather(mesh_.connectivity, {v, option.partner});
-      if (!refusal(*evaluate(around_.edge()))) return queue_.set(around_.edge(), option.cost);
+      if (!refusal(*evaluate(around_.edge()))) return queue_.set(around_.edge(), option.priority);
     }
     queue_.remove(v);
   }
@@ -196,8 +205,12 @@ class EdgeCollapse {
 
   void reevaluate(const Collapse& done) {
     ring_.clear();
-    for_each_neighbor(mesh_.connectivity, done.keep, marks_, [this](int u) { ring_.push_back(u); });
-    metric_.merge(done, ring_);
+    due_.clear();
+    for_each_neighbor(mesh_.connectivity, done.keep, marks_, [this](int u) {
+      ring_.push_back(u);
+      if (schedule_.due(u, mesh_.connectivity.faces_of(u).size())) due_.push_back(u);
+    });
+    metric_.merge(done, due_);
     queue_.remove(done.gone);
     requeue(done.keep);
     for (int u : ring_) {
@@ -205,7 +218,7 @@ class EdgeCollapse {
       if (known == EdgeQueue::none || known == done.keep || known == done.gone) {
         requeue(u);
       } else if (u < done.keep) {
-        if (const auto candidate = evaluate({u, done.keep})) queue_.offer({u, done.keep}, candidate->cost);
+        if (const auto candidate = evaluate({u, done.keep})) queue_.offer({u, done.keep}, priority({u, done.keep}, candidate->cost));
       }
     }
   }
@@ -228,9 +241,10 @@ class EdgeCollapse {
   VertexMarks marks_;
   const CollapseRule rule_;
   ErrorBound bound_;
+  RefreshSchedule schedule_;
   std::vector<Vector3> input_normal_;  // by face: turns are counted from here, so that many small ones cannot flip it
   const double cos_normal_;
-  std::vector<int> ring_;
+  std::vector<int> ring_, due_;
   std::vector<Option> options_;
   std::vector<CollapseObserver*> observers_;
   DecimationReport* report_ = nullptr;
@@ -239,7 +253,7 @@ class EdgeCollapse {
 template <class MetricType>
 void EdgeCollapse<MetricType>::fill_queue(const Parallel& parallel) {
   const int count = mesh_.connectivity.vertex_slots();
-  std::vector<Option> best(count, Option{0.0, EdgeQueue::none});
+  std::vector<Option> best(count, Option{{0.0}, EdgeQueue::none});
   parallel.for_ranges(count, [&](int begin, int end) {
     VertexMarks marks(count);
     std::vector<Option> options;
@@ -249,7 +263,7 @@ void EdgeCollapse<MetricType>::fill_queue(const Parallel& parallel) {
     }
   });
   for (int v = 0; v < count; ++v)
-    if (best[v].partner != EdgeQueue::none) queue_.set({v, best[v].partner}, best[v].cost);
+    if (best[v].partner != EdgeQueue::none) queue_.set({v, best[v].partner}, best[v].priority);
 }
 
 }  // namespace curvdecim

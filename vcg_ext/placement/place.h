@@ -28,7 +28,7 @@ inline Placed place_endpoint_or_midpoint(const Quadric& q, const Vector3& half) 
 }
 
 inline Placed place_optimal(const Quadric& q, const Vector3& half, const std::optional<VolumePlane>& volume) {
-  const Vector3 offset = optimal_offset(q, volume, 2.0 * half.norm());
+  const Vector3 offset = optimal_offset(q, volume, half);
   return {offset, parameter_along(half, offset)};
 }
 

@@ -6,14 +6,18 @@
 
 namespace curvdecim {
 
-/// 4-ary minimum heap of (key, index) with at most one entry per index; equal keys leave in the
-/// order of the index, so that the sequence does not depend on the history.
+/// 4-ary minimum heap of (key, tie, index) with at most one entry per index; equal keys leave in the
+/// order of the tie, then of the index, so that the sequence does not depend on the history.
 class IndexedHeap {
  public:
   struct Entry {
     double key;
+    float tie;
     int index;
-    bool operator<(const Entry& o) const { return key < o.key || (key == o.key && index < o.index); }
+    bool operator<(const Entry& o) const {
+      if (key != o.key) return key < o.key;
+      return tie != o.tie ? tie < o.tie : index < o.index;
+    }
   };
 
   explicit IndexedHeap(std::size_t indices) : slot_(indices, absent) {}
@@ -22,16 +26,16 @@ class IndexedHeap {
   std::size_t size() const { return entries_.size(); }
   const Entry& top() const { return entries_.front(); }
   bool contains(int index) const { return slot_[index] != absent; }
-  double key(int index) const { return entries_[slot_[index]].key; }
+  const Entry& entry(int index) const { return entries_[slot_[index]]; }
 
   /// Inserts the index or changes its key.
-  void set(int index, double key) {
+  void set(int index, double key, float tie = 0.0f) {
     if (!contains(index)) {
       entries_.push_back({});
-      place(static_cast<int>(entries_.size()) - 1, {key, index});
+      place(static_cast<int>(entries_.size()) - 1, {key, tie, index});
       sift_up(slot_[index]);
     } else {
-      entries_[slot_[index]].key = key;
+      entries_[slot_[index]] = {key, tie, index};
       sift_up(slot_[index]);
       sift_down(slot_[index]);
     }
