@@ -16,7 +16,7 @@ namespace curvdecim::test {
 namespace {
 
 template <class Importer>
-void import(RichMesh& mesh, const std::string& file) {
+void open_with(RichMesh& mesh, const std::string& file) {
   int loaded = 0;  // which attributes the file has
   const int error = Importer::Open(mesh, file.c_str(), loaded);
   if (Importer::ErrorCritical(error))
@@ -26,10 +26,12 @@ void import(RichMesh& mesh, const std::string& file) {
 Shape read(const std::filesystem::path& file) {
   RichMesh mesh;
   if (file.extension() == ".obj")
-    import <vcg::tri::io::ImporterOBJ<RichMesh>>(mesh, file.string());
+    open_with<vcg::tri::io::ImporterOBJ<RichMesh>>(mesh, file.string());
   else
-    import <vcg::tri::io::ImporterPLY<RichMesh>>(mesh, file.string());
-  return shape_of(mesh);
+    open_with<vcg::tri::io::ImporterPLY<RichMesh>>(mesh, file.string());
+  Shape shape = shape_of(mesh);
+  mesh.ClearAttributes();  // the mesh does not free what the reader attached
+  return shape;
 }
 
 }  // namespace

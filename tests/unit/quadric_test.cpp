@@ -37,14 +37,14 @@ TEST(Symmetric3, MultipliesAddsAndTracesLikeAMatrix) {
   EXPECT_EQ(dense(a.plus_diagonal(2.0)), dense(a) + 2.0 * Eigen::Matrix3d::Identity());
 }
 
-TEST(Symmetric3, SolvesAPositiveDefiniteSystem) {
+TEST(Factorization3, SolvesAPositiveDefiniteSystem) {
   Random random;
   for (int round = 0; round < 100; ++round) {
     Symmetric3 a;
     for (int i = 0; i < 3; ++i) a += Symmetric3::outer(random.vector(), 1.0);
     a = a.plus_diagonal(1e-3 * a.trace());
     const Vector3 x = random.vector();
-    EXPECT_LT((a.solve(a * x) - x).norm(), 1e-11);
+    EXPECT_LT((Factorization3(a).solve(a * x) - x).norm(), 1e-11);
   }
 }
 

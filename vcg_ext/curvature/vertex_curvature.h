@@ -31,29 +31,45 @@ inline double corner_angle(const WorkingMesh& mesh, int f, int i) {
   return corner_angle(t[i], t[(i + 1) % 3], t[(i + 2) % 3]);
 }
 
-/// All zero where the faces around have no area. On the boundary the full angle is pi.
-/// angle_at(f, i): corner_angle, or what is remembered of it.
-template <class AngleAt>
-VertexCurvature vertex_curvature(const WorkingMesh& mesh, int v, AngleAt angle_at) {
+/// What curvature is made of: sums over the faces around a vertex, so that a face can come and go.
+struct CurvatureSums {
   double angles = 0.0, area = 0.0;
   Vector3 gradient = Vector3::Zero(), normal = Vector3::Zero();
-  for (int f : mesh.connectivity.faces_of(v)) {
+
+  /// Face f with its corner i at the vertex, whose angle is given; sign: 1 to add, -1 to take away.
+  void add(const WorkingMesh& mesh, int f, int i, double angle, double sign) {
     const Face& face = mesh.connectivity.face(f);
-    const int i = mesh.connectivity.corner(f, v);
-    const Vector3 &b = mesh.position[face[(i + 1) % 3]], &c = mesh.position[face[(i + 2) % 3]];
-    angles += angle_at(f, i);
-    area += mesh.plane[f].area / 3.0;
-    gradient += 0.5 * mesh.plane[f].normal.cross(c - b);
-    normal += mesh.plane[f].area * mesh.plane[f].normal;
+    const FacePlane& plane = mesh.plane[f];
+    const Vector3 opposite = mesh.position[face[(i + 2) % 3]] - mesh.position[face[(i + 1) % 3]];
+    angles += sign * angle;
+    area += sign * (plane.area / 3.0);
+    gradient += (0.5 * sign) * plane.normal.cross(opposite);
+    normal += (sign * plane.area) * plane.normal;
   }
-  const double length = normal.norm();
-  if (!(area > 0.0) || !(length > 0.0)) return {};
-  const double full = mesh.kind[v] == VertexKind::Boundary ? M_PI : 2.0 * M_PI;
-  return {(full - angles) / area, gradient.dot(normal) / (2.0 * area * length), area};
+
+  /// All zero where the faces around have no area. On the boundary the full angle is pi.
+  VertexCurvature curvature(VertexKind kind) const {
+    const double length = normal.norm();
+    if (!(area > 0.0) || !(length > 0.0)) return {};
+    const double full = kind == VertexKind::Boundary ? M_PI : 2.0 * M_PI;
+    return {(full - angles) / area, gradient.dot(normal) / (2.0 * area * length), area};
+  }
+};
+
+/// angle_at(f, i): corner_angle, or what is remembered of it.
+template <class AngleAt>
+CurvatureSums curvature_sums(const WorkingMesh& mesh, int v, AngleAt angle_at) {
+  CurvatureSums sums;
+  for (int f : mesh.connectivity.faces_of(v)) {
+    const int i = mesh.connectivity.corner(f, v);
+    sums.add(mesh, f, i, angle_at(f, i), 1.0);
+  }
+  return sums;
 }
 
 inline VertexCurvature vertex_curvature(const WorkingMesh& mesh, int v) {
-  return vertex_curvature(mesh, v, [&](int f, int i) { return corner_angle(mesh, f, i); });
+  const auto angle_at = [&](int f, int i) { return corner_angle(mesh, f, i); };
+  return curvature_sums(mesh, v, angle_at).curvature(mesh.kind[v]);
 }
 
 }  // namespace curvdecim

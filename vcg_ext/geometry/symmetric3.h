@@ -30,20 +30,35 @@ struct Symmetric3 {
   }
 
   Symmetric3 plus_diagonal(double d) const { return {xx + d, xy, xz, yy + d, yz, zz + d}; }
-
-  /// x of (*this) x = r for a positive definite matrix, by LDL^T.
-  Vector3 solve(const Vector3& r) const {
-    const double l10 = xy / xx, l20 = xz / xx;
-    const double d1 = yy - l10 * xy;
-    const double l21 = (yz - l20 * xy) / d1;
-    const double d2 = zz - l20 * xz - l21 * l21 * d1;
-    const double y1 = r.y() - l10 * r.x();
-    const double z = (r.z() - l20 * r.x() - l21 * y1) / d2;
-    const double y = y1 / d1 - l21 * z;
-    return {r.x() / xx - l10 * y - l20 * z, y, z};
-  }
 };
 
 inline Symmetric3 operator+(Symmetric3 a, const Symmetric3& b) { return a += b; }
+
+inline Symmetric3 operator-(const Symmetric3& a, const Symmetric3& b) {
+  return {a.xx - b.xx, a.xy - b.xy, a.xz - b.xz, a.yy - b.yy, a.yz - b.yz, a.zz - b.zz};
+}
+
+/// L D L^T of a positive definite matrix, to solve for several right sides.
+class Factorization3 {
+ public:
+  explicit Factorization3(const Symmetric3& m) {
+    i0_ = 1.0 / m.xx;
+    l10_ = m.xy * i0_, l20_ = m.xz * i0_;
+    i1_ = 1.0 / (m.yy - l10_ * m.xy);
+    const double u21 = m.yz - l20_ * m.xy;
+    l21_ = u21 * i1_;
+    i2_ = 1.0 / (m.zz - l20_ * m.xz - l21_ * u21);
+  }
+
+  Vector3 solve(const Vector3& r) const {
+    const double y1 = r.y() - l10_ * r.x();
+    const double z = (r.z() - l20_ * r.x() - l21_ * y1) * i2_;
+    const double y = y1 * i1_ - l21_ * z;
+    return {r.x() * i0_ - l10_ * y - l20_ * z, y, z};
+  }
+
+ private:
+  double l10_, l20_, l21_, i0_, i1_, i2_;
+};
 
 }  // namespace curvdecim

@@ -30,6 +30,8 @@ class BlendRecord : public CollapseObserver {
     for (const auto* faces : {&around.wings(), &around.star()})
       for (int f : *faces) {
         const Triangle triangle = mesh.triangle(f);
+        const double height = mesh.plane[f].normal.dot(x - triangle[0]);
+        if (height * height >= least) continue;  // its plane is further away already
         const Barycentric weight = closest_point(triangle, x);
         const double distance2 = (at(triangle, weight) - x).squaredNorm();
         if (distance2 < least) least = distance2, nearest = {collapse.keep, mesh.connectivity.face(f), weight};

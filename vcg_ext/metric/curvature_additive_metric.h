@@ -24,7 +24,11 @@ class CurvatureAdditiveMetric {
     return candidate;
   }
 
-  void merge(const Collapse& collapse, const std::vector<int>& ring) { quadric_.merge(collapse, ring); }
+  void release(const EdgeNeighborhood& around) { quadric_.release(around); }
+
+  void merge(const Collapse& collapse, const EdgeNeighborhood& around, const std::vector<int>& ring) {
+    quadric_.merge(collapse, around, ring);
+  }
 
  private:
   /// What one plane weighs around the edge, so that lambda means the same with area weights.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <vector>
@@ -20,11 +21,18 @@ class CurvatureWeightedMetric {
 
   void initialize(const Parallel& parallel) {
     quadric_.initialize(parallel);
-    const std::vector<VertexCurvature> curvature = vertex_curvatures(mesh_, parallel);
-    weight_ = curvature_weight(params_, curvature, diagonal_);
-    for (const VertexCurvature& c : curvature) curvature_.push_back(c.of_kind(params_.curvature_kind));
+    const int vertices = static_cast<int>(mesh_.position.size());
     angles_.resize(mesh_.plane.size());
+    sums_.resize(vertices);
+    curvature_.resize(vertices);
+    std::vector<VertexCurvature> input(vertices);
     parallel.for_each(static_cast<int>(angles_.size()), [this](int f) { update_angles(f); });
+    parallel.for_each(vertices, [&](int v) {
+      sums_[v] = curvature_sums(mesh_, v, [this](int f, int i) { return angles_[f][i]; });
+      input[v] = sums_[v].curvature(mesh_.kind[v]);
+      curvature_[v] = input[v].of_kind(params_.curvature_kind);
+    });
+    weight_ = curvature_weight(params_, input, diagonal_);
   }
 
   std::optional<Candidate> evaluate(Edge edge, Allowed allowed) const {
@@ -33,21 +41,34 @@ class CurvatureWeightedMetric {
     return candidate;
   }
 
-  void merge(const Collapse& collapse, const std::vector<int>& ring) {
-    quadric_.merge(collapse, ring);
-    for (int f : mesh_.connectivity.faces_of(collapse.keep)) update_angles(f);
+  void release(const EdgeNeighborhood& around) {
+    quadric_.release(around);
+    for (const auto* faces : {&around.wings(), &around.star()})
+      for (int f : *faces) add(f, -1.0);
+  }
+
+  void merge(const Collapse& collapse, const EdgeNeighborhood& around, const std::vector<int>& ring) {
+    quadric_.merge(collapse, around, ring);
+    sums_[collapse.keep] = {};
+    for (int f : around.star()) {
+      if (!mesh_.connectivity.alive(f)) continue;
+      update_angles(f);
+      add(f, 1.0);
+    }
     update(collapse.keep);
     for (int v : ring) update(v);
   }
 
  private:
-  void update(int v) {
-    const auto remembered = [this](int f, int i) { return angles_[f][i]; };
-    curvature_[v] = vertex_curvature(mesh_, v, remembered).of_kind(params_.curvature_kind);
+  void add(int f, double sign) {
+    for (int i = 0; i < 3; ++i) sums_[mesh_.connectivity.face(f)[i]].add(mesh_, f, i, angles_[f][i], sign);
   }
 
+  void update(int v) { curvature_[v] = sums_[v].curvature(mesh_.kind[v]).of_kind(params_.curvature_kind); }
+
   void update_angles(int f) {
-    for (int i = 0; i < 3; ++i) angles_[f][i] = corner_angle(mesh_, f, i);
+    const double first = corner_angle(mesh_, f, 0), second = corner_angle(mesh_, f, 1);
+    angles_[f] = {first, second, std::max(M_PI - first - second, 0.0)};
   }
 
   const WorkingMesh& mesh_;
@@ -55,8 +76,9 @@ class CurvatureWeightedMetric {
   const double diagonal_;
   QuadricMetric quadric_;
   CurvatureWeight weight_;
-  std::vector<std::array<double, 3>> angles_;  // by face and corner: most stay as they are in a collapse
-  std::vector<double> curvature_;  // by vertex, of the current mesh in its box of diagonal 1
+  std::vector<std::array<double, 3>> angles_;  // by face and corner
+  std::vector<CurvatureSums> sums_;            // by vertex
+  std::vector<double> curvature_;              // by vertex, of the current mesh in its box of diagonal 1
 };
 
 }  // namespace curvdecim

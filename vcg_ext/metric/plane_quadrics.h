@@ -7,13 +7,16 @@
 
 namespace curvdecim {
 
+/// The plane of face f about any of its corners, which it passes through.
+inline Symmetric3 plane_matrix_of_face(const WorkingMesh& mesh, int f, PlaneWeight weight) {
+  const FacePlane& plane = mesh.plane[f];
+  return Symmetric3::outer(plane.normal, weight == PlaneWeight::Area ? plane.area : 1.0);
+}
+
 /// Planes of the faces around v, about v: they all pass through it, so that only the matrix is left.
 inline Symmetric3 plane_matrix(const WorkingMesh& mesh, int v, PlaneWeight weight) {
   Symmetric3 sum;
-  for (int f : mesh.connectivity.faces_of(v)) {
-    const FacePlane& plane = mesh.plane[f];
-    sum += Symmetric3::outer(plane.normal, weight == PlaneWeight::Area ? plane.area : 1.0);
-  }
+  for (int f : mesh.connectivity.faces_of(v)) sum += plane_matrix_of_face(mesh, f, weight);
   return sum;
 }
 

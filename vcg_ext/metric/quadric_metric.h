@@ -38,31 +38,55 @@ class QuadricMetric {
     const Vector3 &a = mesh_.position[edge.a], &b = mesh_.position[edge.b];
     const Vector3 half = 0.5 * (b - a);
     const std::vector<Quadric>& quadrics = memoryless_ ? quadric_ : carried_;
-    const Quadric q = quadrics[edge.a].with_origin_moved(half) + quadrics[edge.b].with_origin_moved(-half);
+    const Quadric q = sum_about_midpoint(quadrics[edge.a], quadrics[edge.b], half);
     const Placed placed = place(q, half, allowed, params_.placement, volume_plane(edge, half, allowed));
     double cost = q.value(placed.offset);
-    if (cost <= rounding * rounding * q.a.trace()) cost = 0.0;
+    if (cost <= rounding * rounding * half.squaredNorm() * q.a.trace()) cost = 0.0;
     if (placed.offset == -half) return Candidate{cost, a, 0.0};  // not rounded: the vertex itself
     if (placed.offset == half) return Candidate{cost, b, 1.0};
     return Candidate{cost, a + (half + placed.offset), placed.t};
   }
 
-  /// ring: the neighbours of collapse.keep.
-  void merge(const Collapse& collapse, const std::vector<int>& ring) {
+  /// Before a collapse: the faces around the edge leave the vertices that will remain.
+  void release(const EdgeNeighborhood& around) {
+    if (!memoryless_) return;
+    for (const auto* faces : {&around.wings(), &around.star()})
+      for (int f : *faces) add_face(f, -1.0);
+  }
+
+  /// After it: the faces that remain are back in their new shape. ring: the neighbours of
+  /// collapse.keep.
+  void merge(const Collapse& collapse, const EdgeNeighborhood& around, const std::vector<int>& ring) {
     const auto [keep, gone, keep_was, gone_was, now, t] = collapse;
     carried_[keep] = carried_[keep].with_origin_moved(now - keep_was) + carried_[gone].with_origin_moved(now - gone_was);
     if (!memoryless_) return;
+    quadric_[keep] = carried_[keep];
+    gradient_[keep] = Vector3::Zero();
+    for (int f : around.star())
+      if (mesh_.connectivity.alive(f)) add_face(f, 1.0);
+    if (mesh_.kind[keep] == VertexKind::Interior) return;
     recompute(keep);
-    for (int v : ring) recompute(v);
+    for (int v : ring)
+      if (mesh_.kind[v] == VertexKind::Boundary) recompute(v);
   }
 
  private:
-  /// Distances below this are rounding, in a box of diagonal 1; planes tie exactly then.
-  static constexpr double rounding = 1e-14;
+  /// Distances below this part of the edge are rounding (of float coordinates; the sums are better):
+  /// all edges in a plane cost exactly nothing.
+  static constexpr double rounding = 1e-7;
 
   /// How much of the input's planes a memoryless vertex carries: enough that thin parts are not
   /// worn away collapse by collapse, too little to show elsewhere.
   static constexpr double memory = 0.1;
+
+  void add_face(int f, double sign) {
+    const Symmetric3 plane = plane_matrix_of_face(mesh_, f, params_.plane_weight) * sign;
+    const Vector3 area_vector = (sign * mesh_.plane[f].area) * mesh_.plane[f].normal;
+    for (int v : mesh_.connectivity.face(f)) {
+      quadric_[v].a += plane;
+      gradient_[v] += area_vector;
+    }
+  }
 
   void recompute(int v) {
     quadric_[v] = carried_[v];

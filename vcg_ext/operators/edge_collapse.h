@@ -15,7 +15,6 @@
 #include "vcg_ext/guard/triangle_shape.h"
 #include "vcg_ext/operators/collapse_observer.h"
 #include "vcg_ext/operators/stop_criterion.h"
-#include "vcg_ext/operators/refresh_schedule.h"
 #include "vcg_ext/parallel.h"
 #include "vcg_ext/params.h"
 #include "vcg_ext/queue/edge_queue.h"
@@ -36,7 +35,8 @@ namespace curvdecim {
 ///
 /// Costs that a collapse elsewhere raised are found when their entry comes up; costs that it
 /// lowered are found when the edge is evaluated next. `Metric` has initialize(parallel),
-/// evaluate(edge, allowed) -> optional<Candidate> and merge(collapse, ring).
+/// evaluate(edge, allowed) -> optional<Candidate>, release(around) before a collapse and
+/// merge(collapse, around, ring) after it.
 template <class MetricType>
 class EdgeCollapse {
  public:
@@ -50,7 +50,6 @@ class EdgeCollapse {
         marks_(mesh.connectivity.vertex_slots()),
         rule_(mesh, params),
         bound_(mesh, params.max_error),
-        schedule_(mesh.connectivity.vertex_slots()),
         input_normal_(mesh.plane.size()),
         cos_normal_(params.preserve_normal ? std::cos(params.normal_angle * (M_PI / 180.0)) : -1.0) {
     for (std::size_t f = 0; f < input_normal_.size(); ++f) input_normal_[f] = mesh.plane[f].normal;
@@ -80,7 +79,7 @@ class EdgeCollapse {
       if (queue_.empty()) return StopReason::NothingLeft;
       if (steps % steps_per_progress == 0 && !report_progress(progress, start)) return StopReason::Cancelled;
       const Edge edge = queue_.top();
-      const std::optional<Candidate> candidate = evaluate(edge);
+      const auto candidate = mesh_.connectivity.has_edge(edge.a, edge.b) ? evaluate(edge) : std::nullopt;
       if (!candidate || candidate->cost > queue_.top_cost()) {
         requeue(edge.a);
         continue;
@@ -179,6 +178,7 @@ class EdgeCollapse {
     const Collapse done{keep, gone, mesh_.position[keep], mesh_.position[gone], candidate.position,
                         keep_b ? 1.0 - candidate.t : candidate.t};
     if (bound_.active()) bound_.set(around_, bound_.after(mesh_, around_, candidate.position));
+    metric_.release(around_);
     for (CollapseObserver* observer : observers_) observer->before(mesh_, around_, done);
     mesh_.position[keep] = candidate.position;
     mesh_.connectivity.collapse(keep, gone);
@@ -205,21 +205,13 @@ class EdgeCollapse {
 
   void reevaluate(const Collapse& done) {
     ring_.clear();
-    due_.clear();
-    for_each_neighbor(mesh_.connectivity, done.keep, marks_, [this](int u) {
-      ring_.push_back(u);
-      if (schedule_.due(u, mesh_.connectivity.faces_of(u).size())) due_.push_back(u);
-    });
-    metric_.merge(done, due_);
+    for_each_neighbor(mesh_.connectivity, done.keep, marks_, [this](int u) { ring_.push_back(u); });
+    metric_.merge(done, around_, ring_);
     queue_.remove(done.gone);
-    requeue(done.keep);
+    queue_.remove(done.keep);
     for (int u : ring_) {
-      const int known = queue_.partner(u);
-      if (known == EdgeQueue::none || known == done.keep || known == done.gone) {
-        requeue(u);
-      } else if (u < done.keep) {
-        if (const auto candidate = evaluate({u, done.keep})) queue_.offer({u, done.keep}, priority({u, done.keep}, candidate->cost));
-      }
+      const Edge edge{std::min(u, done.keep), std::max(u, done.keep)};
+      if (const auto candidate = evaluate(edge)) queue_.offer(edge, priority(edge, candidate->cost));
     }
   }
 
@@ -241,10 +233,9 @@ class EdgeCollapse {
   VertexMarks marks_;
   const CollapseRule rule_;
   ErrorBound bound_;
-  RefreshSchedule schedule_;
   std::vector<Vector3> input_normal_;  // by face: turns are counted from here, so that many small ones cannot flip it
   const double cos_normal_;
-  std::vector<int> ring_, due_;
+  std::vector<int> ring_;
   std::vector<Option> options_;
   std::vector<CollapseObserver*> observers_;
   DecimationReport* report_ = nullptr;

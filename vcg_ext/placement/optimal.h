@@ -22,11 +22,11 @@ inline Vector3 optimal_offset(const Quadric& q, const std::optional<VolumePlane>
   constexpr double pull = 1e-4;  // relative to the trace, that is to the strongest direction
   const double trace = q.a.trace();
   if (!(trace > 0.0)) return Vector3::Zero();
-  const Symmetric3 a = q.a.plus_diagonal(pull * trace);
+  const Factorization3 a(q.a.plus_diagonal(pull * trace));
   const Vector3 offset = a.solve(-q.b);
-  const double least = q.value(offset);
-  if (q.value(-half) < least) return -half;  // a corner: only the pull moved the minimum off it
-  if (q.value(half) < least) return half;
+  const double least = q.value(offset), even = half.dot(q.a * half) + q.c, odd = 2.0 * q.b.dot(half);
+  if (even - odd < least) return -half;  // a corner: only the pull moved the minimum off it
+  if (even + odd < least) return half;
   if (!volume) return offset;
   const Vector3 direction = a.solve(volume->gradient);
   const double slope = volume->gradient.dot(direction);

@@ -38,6 +38,7 @@ class EdgeQueue {
 
   /// Takes the edge if it comes before the one that its owner has.
   void offer(Edge edge, const Priority& priority) {
+    if (!heap_.contains(edge.a)) return set(edge, priority);
     const IndexedHeap::Entry& known = heap_.entry(edge.a);
     if (std::tie(priority.cost, priority.length2, edge.b) < std::tie(known.key, known.tie, partner_[edge.a]))
       set(edge, priority);
