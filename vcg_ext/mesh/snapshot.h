@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "vcg_ext/errors.h"
+#include "vcg_ext/geometry/morton.h"
 #include "vcg_ext/mesh/working_mesh.h"
 
 namespace curvdecim {
@@ -41,8 +42,9 @@ class SnapshotReader {
       if (!mesh_.face[f].IsD()) read_face(static_cast<int>(f));
     if (faces_.empty()) throw InputError("Every face of the mesh uses a vertex twice; nothing is left to decimate.");
     drop_duplicates();
-    number_vertices();
+    collect_vertices();
     normalize();
+    number_along_curve();
     finish();
     return std::move(snapshot_);
   }
@@ -95,35 +97,55 @@ class SnapshotReader {
     snapshot_.face_of.resize(end);
   }
 
-  void number_vertices() {
+  void collect_vertices() {
     for (const Face& face : faces_)
       for (int v : face) working_of_[v] = 0;
     for (std::size_t v = 0; v < working_of_.size(); ++v) {
-      if (working_of_[v] == unused) continue;
-      working_of_[v] = static_cast<int>(snapshot_.vertex_of.size());
-      snapshot_.vertex_of.push_back(static_cast<int>(v));
+      if (working_of_[v] != unused) snapshot_.vertex_of.push_back(static_cast<int>(v));
     }
-    for (Face& face : faces_)
-      for (int& v : face) v = working_of_[v];
+  }
+
+  /// Neighbours in space become neighbours in memory: the collapses jump about in the mesh, but each
+  /// touches a small region only.
+  void number_along_curve() {
+    std::vector<std::pair<std::uint64_t, int>> order;
+    for (int v : snapshot_.vertex_of) order.emplace_back(morton_code(snapshot_.to_box(point(v))), v);
+    std::sort(order.begin(), order.end());
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      snapshot_.vertex_of[i] = order[i].second;
+      working_of_[order[i].second] = static_cast<int>(i);
+      snapshot_.mesh.position.push_back(snapshot_.to_box(point(order[i].second)));
+    }
+    std::vector<std::pair<int, int>> face_order;
+    for (std::size_t f = 0; f < faces_.size(); ++f) {
+      for (int& v : faces_[f]) v = working_of_[v];
+      face_order.emplace_back(*std::min_element(faces_[f].begin(), faces_[f].end()), static_cast<int>(f));
+    }
+    std::sort(face_order.begin(), face_order.end());
+    std::vector<Face> faces;
+    std::vector<int> face_of;
+    for (const auto& [least, f] : face_order) {
+      faces.push_back(faces_[f]);
+      face_of.push_back(snapshot_.face_of[f]);
+    }
+    faces_.swap(faces);
+    snapshot_.face_of.swap(face_of);
   }
 
   Vector3 point(int v) const {
-    const auto& p = mesh_.vert[snapshot_.vertex_of[v]].cP();
+    const auto& p = mesh_.vert[v].cP();
     return {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
   }
 
   /// Divides by the largest side before squaring, so that no unit of length overflows.
   void normalize() {
-    const int count = static_cast<int>(snapshot_.vertex_of.size());
-    Vector3 low = point(0), high = low;
-    for (int v = 1; v < count; ++v) low = low.cwiseMin(point(v)), high = high.cwiseMax(point(v));
+    Vector3 low = point(snapshot_.vertex_of[0]), high = low;
+    for (int v : snapshot_.vertex_of) low = low.cwiseMin(point(v)), high = high.cwiseMax(point(v));
     const double side = (high - low).maxCoeff();
     if (!(side > 0.0) || !std::isfinite(side))
       throw InputError("All faces lie in one point, or the coordinates are too large to subtract.");
     snapshot_.center = 0.5 * low + 0.5 * high;
     snapshot_.diagonal = side * ((high - low) / side).norm();
-    for (int v = 0; v < count; ++v)
-      snapshot_.mesh.position.push_back(snapshot_.to_box(point(v)));
   }
 
   void finish() {

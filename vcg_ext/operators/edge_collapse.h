@@ -158,8 +158,7 @@ class EdgeCollapse {
       if (turns_too_far(mesh_.plane[f].normal, after, cos_normal_) ||
           turns_too_far(input_normal_[f], after, cos_normal_))
         return Rejection::NormalFlip;
-      if (spoils_shape(shape_quality(mesh_.triangle(f), mesh_.plane[f].area), shape_quality(triangle, after.area),
-                       least_shape_quality))
+      if (spoils_shape(mesh_.triangle(f), mesh_.plane[f].area, triangle, after.area, least_shape_quality))
         return Rejection::TriangleShape;
     }
     if (bound_.active() && !bound_.allows(bound_.after(mesh_, around_, candidate.position))) return Rejection::ErrorBound;
