@@ -13,6 +13,13 @@
 
 namespace curvdecim {
 
+/// Thrown between two blocks of parallel work.
+struct CancelRequest {};
+
+inline void check_cancelled(const Progress& progress) {
+  if (progress && !progress(0, "Preparing")) throw CancelRequest{};
+}
+
 /// Decimates a vcg triangle mesh by edge collapse, in place.
 ///
 /// The mesh needs faces with vertex references and selection flags; no adjacency. Whatever vertex
@@ -30,17 +37,21 @@ DecimationReport decimate_edge_collapse(MeshType& mesh, const EdgeCollapseParams
   Snapshot snapshot = take_snapshot(mesh);
   params.max_error /= snapshot.diagonal;
   DecimationReport report = initial_report(mesh);
-  const StopCriterion stop = set_up(mesh, params, snapshot, report);
-  if (!stop.reached(snapshot.mesh.connectivity)) {
+  if (const auto stop = set_up(mesh, params, snapshot, report)) {
     BlendRecord blend;
     std::optional<WedgeTexture> wedges = read_wedges(mesh, snapshot);
     note_attributes(mesh, snapshot, wedges, report);
-    with_metric(snapshot.mesh, params, snapshot.diagonal, [&](auto metric) {
-      EdgeCollapse operation(snapshot.mesh, metric, params, stop);
-      operation.add_observer(blend);
-      if (wedges) operation.add_observer(*wedges);
-      operation.run(Parallel(params.threads), progress, report);
-    });
+    const Parallel parallel(params.threads, [&] { check_cancelled(progress); });
+    try {
+      with_metric(snapshot.mesh, params, snapshot.diagonal, [&](auto metric) {
+        EdgeCollapse operation(snapshot.mesh, metric, params, *stop);
+        operation.add_observer(blend);
+        if (wedges) operation.add_observer(*wedges);
+        operation.run(parallel, progress, report);
+      });
+    } catch (const CancelRequest&) {
+      report.stopped_by = StopReason::Cancelled;
+    }
     if (report.stopped_by != StopReason::Cancelled) WriteBack<MeshType>(mesh, snapshot).run(blend.steps(), wedges);
   }
   report.max_error *= snapshot.diagonal;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -45,12 +46,27 @@ class BlendRecord : public CollapseObserver {
   std::vector<BlendStep> steps_;
 };
 
-/// Replays the record on one attribute. Value: a vector space over double.
+inline bool is_finite(double value) { return std::isfinite(value); }
+template <class Vector>
+bool is_finite(const Vector& value) {
+  return value.allFinite();
+}
+
+/// Replays the record on one attribute. Value: a vector space over double. A value that is not finite
+/// does not spread: the other corners stand in for it, and if there are none, `keep` keeps its own.
 template <class Value>
 void replay(const std::vector<BlendStep>& steps, std::vector<Value>& values) {
-  for (const BlendStep& step : steps)
-    values[step.keep] = step.weight[0] * values[step.from[0]] + step.weight[1] * values[step.from[1]] +
-                        step.weight[2] * values[step.from[2]];
+  for (const BlendStep& step : steps) {
+    Value sum = values[step.keep];
+    double weights = 0.0;
+    for (int i = 0; i < 3; ++i) {
+      if (step.weight[i] == 0.0 || !is_finite(values[step.from[i]])) continue;
+      sum = weights == 0.0 ? Value(step.weight[i] * values[step.from[i]])
+                           : Value(sum + step.weight[i] * values[step.from[i]]);
+      weights += step.weight[i];
+    }
+    if (weights > 0.0) values[step.keep] = weights == 1.0 ? sum : Value(sum / weights);
+  }
 }
 
 }  // namespace curvdecim

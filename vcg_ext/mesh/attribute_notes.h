@@ -46,7 +46,7 @@ void note_attributes(const MeshType& mesh, const Snapshot& snapshot, const std::
     report.notes.push_back("The texture has seams. Its coordinates are carried, but seams may shift a little.");
   for (const auto& face : mesh.face)
     if (!face.IsD() && face.IsAnyF()) {
-      report.notes.push_back("Marks of edges inside polygons (faux edges) are dropped: the result is triangles.");
+      report.notes.push_back("Marks of edges inside polygons (faux edges) are dropped where faces change.");
       break;
     }
   if (!mesh.vert_attr.empty())

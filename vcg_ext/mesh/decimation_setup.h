@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,14 +24,19 @@ DecimationReport initial_report(const MeshType& mesh) {
   return report;
 }
 
-/// A vertex that a face outside the selection uses may not move. Throws InputError where nothing is
-/// selected.
-inline void lock_unselected(Snapshot& snapshot) {
+/// Faces outside the selection stay, also unusable ones, and so do their vertices. Throws InputError
+/// where nothing is selected.
+template <class MeshType>
+void lock_unselected(const MeshType& mesh, Snapshot& snapshot) {
   if (std::none_of(snapshot.selected.begin(), snapshot.selected.end(), [](bool s) { return s; }))
     throw InputError("Selected is on, but no face is selected. Select faces or turn Selected off.");
-  for (int f = 0; f < snapshot.mesh.connectivity.face_slots(); ++f)
-    if (!snapshot.selected[f])
-      for (int v : snapshot.mesh.connectivity.face(f)) snapshot.mesh.locked[v] = true;
+  std::vector<bool> locked(mesh.vert.size(), false);
+  for (const auto& face : mesh.face)
+    if (!face.IsD() && !face.IsS())
+      for (int i = 0; i < 3; ++i) locked[vcg::tri::Index(mesh, face.cV(i))] = true;
+  for (std::size_t v = 0; v < snapshot.vertex_of.size(); ++v) snapshot.mesh.locked[v] = locked[snapshot.vertex_of[v]];
+  const auto outside = [&](int f) { return !mesh.face[f].IsS(); };
+  snapshot.unusable.erase(std::remove_if(snapshot.unusable.begin(), snapshot.unusable.end(), outside), snapshot.unusable.end());
 }
 
 /// Vertex quality, scaled to a largest value of 1, as a factor on the cost. Values at or below zero
@@ -74,23 +80,25 @@ inline void require_target(const DecimationParams& params) {
     throw InputError("No target is given. Set TargetFaceNum, TargetVertNum, TargetPerc or MaxError.");
 }
 
-/// Locks, weights and the target in terms of the working mesh; notes what the user should know.
+/// Living faces that may change.
 template <class MeshType>
-StopCriterion set_up(const MeshType& mesh, const DecimationParams& params, Snapshot& snapshot,
-                     DecimationReport& report) {
+int count_candidates(const MeshType& mesh, bool selected_only) {
+  if (!selected_only) return mesh.fn;
+  return static_cast<int>(std::count_if(mesh.face.begin(), mesh.face.end(), [](const auto& f) { return !f.IsD() && f.IsS(); }));
+}
+
+/// Locks, weights and the target in terms of the working mesh; notes what the user should know.
+/// nullopt: the mesh is small enough as it is.
+template <class MeshType>
+std::optional<StopCriterion> set_up(const MeshType& mesh, const DecimationParams& params, Snapshot& snapshot,
+                                    DecimationReport& report) {
   require_target(params);
-  const int faces = snapshot.mesh.connectivity.face_count(), vertices = snapshot.mesh.connectivity.vertex_count();
-  int candidates = mesh.fn, others = 0;
-  if (params.selected_only) {
-    lock_unselected(snapshot);
-    candidates = static_cast<int>(std::count(snapshot.selected.begin(), snapshot.selected.end(), true));
-    others = faces - candidates;
-  }
-  const int target = target_faces(params, candidates);
-  const bool vertex_target = params.target_vertices > 0;
-  if (target >= candidates || (vertex_target && params.target_vertices >= mesh.vn)) {
+  if (params.selected_only) lock_unselected(mesh, snapshot);
+  const int candidates = count_candidates(mesh, params.selected_only), target = target_faces(params, candidates);
+  const bool by_vertices = params.target_vertices > 0;
+  if (target >= candidates || (by_vertices && params.target_vertices >= mesh.vn)) {
     report.notes.push_back("The target is not below the current count: nothing to do, the mesh is unchanged.");
-    return {faces, vertices};
+    return std::nullopt;
   }
   if (params.quality_weight) {
     snapshot.mesh.importance = importance_from_quality(mesh, snapshot);
@@ -98,7 +106,9 @@ StopCriterion set_up(const MeshType& mesh, const DecimationParams& params, Snaps
       report.notes.push_back("QualityWeight is on, but no vertex has a quality above zero: it has no effect.");
   }
   note_repairs(snapshot, report);
-  return {target + others, vertex_target ? std::max(0, params.target_vertices - (mesh.vn - vertices)) : 0};
+  const auto outside = params.selected_only ? std::count(snapshot.selected.begin(), snapshot.selected.end(), false) : 0;
+  const int unused = mesh.vn - snapshot.mesh.connectivity.vertex_count();
+  return StopCriterion{target + static_cast<int>(outside), by_vertices ? std::max(0, params.target_vertices - unused) : 0};
 }
 
 /// What is left, and why it is more than was asked for.

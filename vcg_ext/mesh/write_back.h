@@ -19,7 +19,8 @@ namespace curvdecim {
 template <class MeshType>
 class WriteBack {
  public:
-  WriteBack(MeshType& mesh, const Snapshot& snapshot) : mesh_(mesh), snapshot_(snapshot) {}
+  WriteBack(MeshType& mesh, const Snapshot& snapshot)
+      : mesh_(mesh), snapshot_(snapshot), moved_(snapshot.vertex_of.size(), false) {}
 
   /// wedges: where the mesh has wedge texture coordinates.
   void run(const std::vector<BlendStep>& steps, const std::optional<WedgeTexture>& wedges) {
@@ -28,7 +29,6 @@ class WriteBack {
     move_vertices();
     delete_unused_vertices();
     connect_faces();
-    clear_polygon_edges();
     clear_adjacency();
     vcg::tri::Allocator<MeshType>::CompactEveryVector(mesh_);
     vcg::tri::UpdateBounding<MeshType>::Box(mesh_);
@@ -46,7 +46,8 @@ class WriteBack {
     for (int v = 0; v < connectivity().vertex_slots(); ++v) {
       auto& p = vertex(v).P();
       const Vector3& x = snapshot_.mesh.position[v];
-      if (!in_use(v) || x == snapshot_.to_box({double(p[0]), double(p[1]), double(p[2])})) continue;
+      moved_[v] = in_use(v) && x != snapshot_.to_box({double(p[0]), double(p[1]), double(p[2])});
+      if (!moved_[v]) continue;
       const Vector3 user = snapshot_.to_user(x);
       for (int k = 0; k < 3; ++k) p[k] = static_cast<Scalar>(user[k]);
     }
@@ -55,13 +56,27 @@ class WriteBack {
   void connect_faces() {
     for (int f = 0; f < connectivity().face_slots(); ++f) {
       auto& face = mesh_.face[snapshot_.face_of[f]];
-      if (!connectivity().alive(f)) {
+      if (connectivity().alive(f))
+        connect_face(face, f);
+      else
         vcg::tri::Allocator<MeshType>::DeleteFace(mesh_, face);
-        continue;
-      }
-      for (int i = 0; i < 3; ++i) face.V(i) = &vertex(connectivity().face(f)[i]);
     }
     for (int f : snapshot_.unusable) vcg::tri::Allocator<MeshType>::DeleteFace(mesh_, mesh_.face[f]);
+  }
+
+  /// Faces that did not change keep their normals and their marks of edges inside polygons, which
+  /// mean nothing once the polygon is cut.
+  void connect_face(typename MeshType::FaceType& face, int f) {
+    bool changed = false;
+    for (int i = 0; i < 3; ++i) {
+      const int v = connectivity().face(f)[i];
+      changed = changed || face.cV(i) != &vertex(v) || moved_[v];
+      face.V(i) = &vertex(v);
+    }
+    if (!changed) return;
+    face.ClearAllF();
+    if (vcg::tri::HasPerFaceNormal(mesh_))
+      for (int k = 0; k < 3; ++k) face.N()[k] = static_cast<Scalar>(snapshot_.mesh.plane[f].normal[k]);
   }
 
   /// Those that lost their last face, be it by a collapse or by a repair.
@@ -72,11 +87,6 @@ class WriteBack {
     for (int v = 0; v < connectivity().vertex_slots(); ++v) unused[snapshot_.vertex_of[v]] = !in_use(v);
     for (std::size_t v = 0; v < unused.size(); ++v)
       if (unused[v]) vcg::tri::Allocator<MeshType>::DeleteVertex(mesh_, mesh_.vert[v]);
-  }
-
-  /// Marks of edges inside polygons mean nothing once the polygons are cut.
-  void clear_polygon_edges() {
-    for (auto& f : mesh_.face) f.ClearAllF();
   }
 
   void write_wedges(const WedgeTexture& wedges) {
@@ -143,6 +153,7 @@ class WriteBack {
 
   MeshType& mesh_;
   const Snapshot& snapshot_;
+  std::vector<bool> moved_;  // by working vertex
 };
 
 }  // namespace curvdecim

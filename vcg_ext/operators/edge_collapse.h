@@ -50,8 +50,9 @@ class EdgeCollapse {
         marks_(mesh.connectivity.vertex_slots()),
         rule_(mesh, params),
         bound_(mesh, params.max_error),
+        rest_(mesh.connectivity.vertex_slots(), 0),
         input_normal_(mesh.plane.size()),
-        cos_normal_(params.preserve_normal ? std::cos(params.normal_angle * (M_PI / 180.0)) : -1.0) {
+        cos_normal_(params.preserve_normal ? std::cos(params.normal_angle * (M_PI / 180.0)) + normal_margin : -1.0) {
     for (std::size_t f = 0; f < input_normal_.size(); ++f) input_normal_[f] = mesh.plane[f].normal;
   }
 
@@ -137,10 +138,15 @@ class EdgeCollapse {
     queue_.set({v, best.partner}, best.priority);
   }
 
-  /// The cheapest edge of v that no guard refuses.
+  /// The cheapest edge of v that no guard refuses. A hub rests after some tries: each costs it as much
+  /// as it has faces.
   void queue_next_best(int v) {
     gather_options(v, marks_, options_);
     std::sort(options_.begin(), options_.end());
+    if (options_.size() > hub) {
+      options_.resize(hub);
+      rest_[v] = mesh_.connectivity.faces_of(v).size() / hub_rest;
+    }
     for (const Option& option : options_) {
       around_.gather(mesh_.connectivity, {v, option.partner});
       if (!refusal(*evaluate(around_.edge()))) return queue_.set(around_.edge(), option.priority);
@@ -210,6 +216,10 @@ class EdgeCollapse {
     queue_.remove(done.keep);
     for (int u : ring_) {
       const Edge edge{std::min(u, done.keep), std::max(u, done.keep)};
+      if (rest_[edge.a] > 0 && queue_.partner(edge.a) == EdgeQueue::none) {
+        --rest_[edge.a];
+        continue;
+      }
       if (const auto candidate = evaluate(edge)) queue_.offer(edge, priority(edge, candidate->cost));
     }
   }
@@ -221,6 +231,9 @@ class EdgeCollapse {
   }
 
   static constexpr int steps_per_progress = 1024;      // a few milliseconds
+  static constexpr int hub = 64;                       // a valence well above those of meshes made for any purpose
+  static constexpr int hub_rest = 8;                   // a refused hub is asked again when an eighth of it has changed
+  static constexpr double normal_margin = 0.05;        // of a cosine: two faces on the limit could lie back to back
   static constexpr double least_shape_quality = 0.01;  // a needle of 1 : 100
 
   WorkingMesh& mesh_;
@@ -232,6 +245,7 @@ class EdgeCollapse {
   VertexMarks marks_;
   const CollapseRule rule_;
   ErrorBound bound_;
+  std::vector<int> rest_;              // by vertex: new edges still to be passed over
   std::vector<Vector3> input_normal_;  // by face: turns are counted from here, so that many small ones cannot flip it
   const double cos_normal_;
   std::vector<int> ring_;
