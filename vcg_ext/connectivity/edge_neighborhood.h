@@ -12,6 +12,8 @@ struct Edge {
   int a, b;  // a < b
 };
 
+inline constexpr Edge no_edge{-1, -1};
+
 /// What surrounds an edge: the faces that its collapse removes (wings) with their third vertices,
 /// and the faces that it reshapes (star). Reused from edge to edge.
 class EdgeNeighborhood {

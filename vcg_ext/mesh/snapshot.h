@@ -41,10 +41,10 @@ class SnapshotReader {
     for (std::size_t f = 0; f < mesh_.face.size(); ++f)
       if (!mesh_.face[f].IsD()) read_face(static_cast<int>(f));
     if (faces_.empty()) throw InputError("Every face of the mesh uses a vertex twice; nothing is left to decimate.");
-    drop_duplicates();
     collect_vertices();
     normalize();
-    number_along_curve();
+    number_vertices();
+    order_faces();
     finish();
     return std::move(snapshot_);
   }
@@ -75,28 +75,6 @@ class SnapshotReader {
     return static_cast<int>(index);
   }
 
-  /// Of the faces with the same three vertices, the first stays.
-  void drop_duplicates() {
-    std::vector<std::pair<Face, int>> sorted;
-    for (std::size_t i = 0; i < faces_.size(); ++i) {
-      sorted.emplace_back(faces_[i], static_cast<int>(i));
-      std::sort(sorted.back().first.begin(), sorted.back().first.end());
-    }
-    std::sort(sorted.begin(), sorted.end());
-    std::vector<bool> keep(faces_.size(), true);
-    for (std::size_t i = 1; i < sorted.size(); ++i)
-      if (sorted[i].first == sorted[i - 1].first) keep[sorted[i].second] = false;
-    std::size_t end = 0;
-    for (std::size_t i = 0; i < faces_.size(); ++i) {
-      if (!keep[i]) snapshot_.unusable.push_back(snapshot_.face_of[i]);
-      if (!keep[i]) continue;
-      faces_[end] = faces_[i];
-      snapshot_.face_of[end++] = snapshot_.face_of[i];
-    }
-    faces_.resize(end);
-    snapshot_.face_of.resize(end);
-  }
-
   void collect_vertices() {
     for (const Face& face : faces_)
       for (int v : face) working_of_[v] = 0;
@@ -107,7 +85,7 @@ class SnapshotReader {
 
   /// Neighbours in space become neighbours in memory: the collapses jump about in the mesh, but each
   /// touches a small region only.
-  void number_along_curve() {
+  void number_vertices() {
     std::vector<std::pair<std::uint64_t, int>> order;
     for (int v : snapshot_.vertex_of) order.emplace_back(morton_code(snapshot_.to_box(point(v))), v);
     std::sort(order.begin(), order.end());
@@ -116,20 +94,39 @@ class SnapshotReader {
       working_of_[order[i].second] = static_cast<int>(i);
       snapshot_.mesh.position.push_back(snapshot_.to_box(point(order[i].second)));
     }
-    std::vector<std::pair<int, int>> face_order;
+    for (Face& face : faces_)
+      for (int& v : face) v = working_of_[v];
+  }
+
+  /// By their vertices, too. Of the faces with the same three vertices, the first stays.
+  void order_faces() {
+    std::vector<std::pair<Face, int>> order;
+    order.reserve(faces_.size());
     for (std::size_t f = 0; f < faces_.size(); ++f) {
-      for (int& v : faces_[f]) v = working_of_[v];
-      face_order.emplace_back(*std::min_element(faces_[f].begin(), faces_[f].end()), static_cast<int>(f));
+      order.emplace_back(faces_[f], static_cast<int>(f));
+      sort_corners(order.back().first);
     }
-    std::sort(face_order.begin(), face_order.end());
+    std::sort(order.begin(), order.end());
     std::vector<Face> faces;
     std::vector<int> face_of;
-    for (const auto& [least, f] : face_order) {
+    faces.reserve(order.size()), face_of.reserve(order.size());
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      const auto& [key, f] = order[i];
+      if (i > 0 && key == order[i - 1].first) {
+        snapshot_.unusable.push_back(snapshot_.face_of[f]);
+        continue;
+      }
       faces.push_back(faces_[f]);
       face_of.push_back(snapshot_.face_of[f]);
     }
     faces_.swap(faces);
     snapshot_.face_of.swap(face_of);
+  }
+
+  static void sort_corners(Face& face) {
+    if (face[0] > face[1]) std::swap(face[0], face[1]);
+    if (face[1] > face[2]) std::swap(face[1], face[2]);
+    if (face[0] > face[1]) std::swap(face[0], face[1]);
   }
 
   Vector3 point(int v) const {

@@ -44,7 +44,7 @@ class CurvatureWeightedMetric {
   void release(const EdgeNeighborhood& around) {
     quadric_.release(around);
     for (const auto* faces : {&around.wings(), &around.star()})
-      for (int f : *faces) add(f, -1.0);
+      for (int f : *faces) add(f, -1.0, around.edge());
   }
 
   void merge(const Collapse& collapse, const EdgeNeighborhood& around, const std::vector<int>& ring) {
@@ -53,15 +53,18 @@ class CurvatureWeightedMetric {
     for (int f : around.star()) {
       if (!mesh_.connectivity.alive(f)) continue;
       update_angles(f);
-      add(f, 1.0);
+      add(f, 1.0, no_edge);
     }
     update(collapse.keep);
     for (int v : ring) update(v);
   }
 
  private:
-  void add(int f, double sign) {
-    for (int i = 0; i < 3; ++i) sums_[mesh_.connectivity.face(f)[i]].add(mesh_, f, i, angles_[f][i], sign);
+  /// To the sums of the corners that are not on the edge.
+  void add(int f, double sign, Edge edge) {
+    for (int i = 0; i < 3; ++i)
+      if (const int v = mesh_.connectivity.face(f)[i]; v != edge.a && v != edge.b)
+        sums_[v].add(mesh_, f, i, angles_[f][i], sign);
   }
 
   void update(int v) { curvature_[v] = sums_[v].curvature(mesh_.kind[v]).of_kind(params_.curvature_kind); }

@@ -51,7 +51,7 @@ class QuadricMetric {
   void release(const EdgeNeighborhood& around) {
     if (!memoryless_) return;
     for (const auto* faces : {&around.wings(), &around.star()})
-      for (int f : *faces) add_face(f, -1.0);
+      for (int f : *faces) add_face(f, -1.0, around.edge());
   }
 
   /// After it: the faces that remain are back in their new shape. ring: the neighbours of
@@ -63,7 +63,7 @@ class QuadricMetric {
     quadric_[keep] = carried_[keep];
     gradient_[keep] = Vector3::Zero();
     for (int f : around.star())
-      if (mesh_.connectivity.alive(f)) add_face(f, 1.0);
+      if (mesh_.connectivity.alive(f)) add_face(f, 1.0, no_edge);
     if (mesh_.kind[keep] == VertexKind::Interior) return;
     recompute(keep);
     for (int v : ring)
@@ -79,10 +79,12 @@ class QuadricMetric {
   /// worn away collapse by collapse, too little to show elsewhere.
   static constexpr double memory = 0.1;
 
-  void add_face(int f, double sign) {
+  /// To the sums of the corners that are not on the edge.
+  void add_face(int f, double sign, Edge edge) {
     const Symmetric3 plane = plane_matrix_of_face(mesh_, f, params_.plane_weight) * sign;
     const Vector3 area_vector = (sign * mesh_.plane[f].area) * mesh_.plane[f].normal;
     for (int v : mesh_.connectivity.face(f)) {
+      if (v == edge.a || v == edge.b) continue;
       quadric_[v].a += plane;
       gradient_[v] += area_vector;
     }

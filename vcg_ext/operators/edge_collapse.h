@@ -81,7 +81,7 @@ class EdgeCollapse {
       if (steps % steps_per_progress == 0 && !report_progress(progress, start)) return StopReason::Cancelled;
       const Edge edge = queue_.top();
       const auto candidate = mesh_.connectivity.has_edge(edge.a, edge.b) ? evaluate(edge) : std::nullopt;
-      if (!candidate || candidate->cost > queue_.top_cost()) {
+      if (!candidate || candidate->cost > std::max(queue_.top_cost(), queue_.second_cost())) {
         requeue(edge.a);
         continue;
       }

@@ -27,6 +27,7 @@ class EdgeQueue {
   bool empty() const { return heap_.empty(); }
   Edge top() const { return {heap_.top().index, partner_[heap_.top().index]}; }
   double top_cost() const { return heap_.top().key; }
+  double second_cost() const { return heap_.second_key(); }
 
   /// The other end of the vertex's cheapest edge, or none.
   int partner(int owner) const { return heap_.contains(owner) ? partner_[owner] : none; }

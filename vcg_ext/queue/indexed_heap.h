@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace curvdecim {
@@ -25,6 +26,11 @@ class IndexedHeap {
   bool empty() const { return entries_.empty(); }
   std::size_t size() const { return entries_.size(); }
   const Entry& top() const { return entries_.front(); }
+  /// The least key but the top's; infinite where there is none.
+  double second_key() const {
+    const int second = least_child(0);
+    return second == absent ? std::numeric_limits<double>::infinity() : entries_[second].key;
+  }
   bool contains(int index) const { return slot_[index] != absent; }
   const Entry& entry(int index) const { return entries_[slot_[index]]; }
 
