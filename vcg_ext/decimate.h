@@ -44,7 +44,7 @@ DecimationReport decimate_edge_collapse(MeshType& mesh, const EdgeCollapseParams
     const Parallel parallel(params.threads, [&] { check_cancelled(progress); });
     try {
       with_metric(snapshot.mesh, params, snapshot.diagonal, [&](auto metric) {
-        EdgeCollapse operation(snapshot.mesh, metric, params, *stop);
+        EdgeCollapse operation(snapshot.mesh, metric, params, params.scheduler, *stop);
         operation.add_observer(blend);
         if (wedges) operation.add_observer(*wedges);
         operation.run(parallel, progress, report);

@@ -25,6 +25,7 @@ inline EdgeCollapseParams with_preset(EdgeCollapseParams params) {
   params.quadrics = params.preset == Preset::Fast ? Quadrics::Accumulated : Quadrics::Memoryless;
   params.plane_weight = PlaneWeight::Area;
   params.placement = Placement::Optimal;
+  params.scheduler = params.preset == Preset::Best ? Scheduler::Eager : Scheduler::Lazy;
   return params;
 }
 

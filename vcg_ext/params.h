@@ -47,7 +47,13 @@ enum class Placement {
   HalfEdge,            ///< the better end: only original vertices remain
 };
 
-/// Speed against quality: a named setting of quadrics, plane_weight and placement.
+/// Which costs are computed anew after a collapse.
+enum class Scheduler {
+  Lazy,   ///< those of the new edges; others when they come up
+  Eager,  ///< those of all edges around: slower, a little more exact
+};
+
+/// Speed against quality: a named setting of quadrics, plane_weight, placement and scheduler.
 enum class Preset { Fast, Balanced, Best, Custom };
 
 /// What every decimation shares. Lengths are in the mesh's unit, angles in degrees.
@@ -85,6 +91,7 @@ struct EdgeCollapseParams : DecimationParams, CurvatureParams {
   Quadrics quadrics = Quadrics::Memoryless;
   PlaneWeight plane_weight = PlaneWeight::Area;
   Placement placement = Placement::Optimal;
+  Scheduler scheduler = Scheduler::Lazy;
 };
 
 /// What the Curvature Importance filter shows.

@@ -40,10 +40,12 @@ namespace curvdecim {
 template <class MetricType>
 class EdgeCollapse {
  public:
-  EdgeCollapse(WorkingMesh& mesh, MetricType& metric, const DecimationParams& params, const StopCriterion& stop)
+  EdgeCollapse(WorkingMesh& mesh, MetricType& metric, const DecimationParams& params, Scheduler scheduler,
+               const StopCriterion& stop)
       : mesh_(mesh),
         metric_(metric),
         params_(params),
+        scheduler_(scheduler),
         stop_(stop),
         queue_(mesh.connectivity.vertex_slots()),
         around_(mesh.connectivity.vertex_slots()),
@@ -214,14 +216,25 @@ class EdgeCollapse {
     metric_.merge(done, around_, ring_);
     queue_.remove(done.gone);
     queue_.remove(done.keep);
-    for (int u : ring_) {
-      const Edge edge{std::min(u, done.keep), std::max(u, done.keep)};
-      if (rest_[edge.a] > 0 && queue_.partner(edge.a) == EdgeQueue::none) {
-        --rest_[edge.a];
-        continue;
-      }
-      if (const auto candidate = evaluate(edge)) queue_.offer(edge, priority(edge, candidate->cost));
+    if (scheduler_ == Scheduler::Eager) {
+      requeue(done.keep);
+      for (int u : ring_)
+        if (!passed_over(u)) requeue(u);
+    } else {
+      for (int u : ring_) offer({std::min(u, done.keep), std::max(u, done.keep)});
     }
+  }
+
+  void offer(Edge edge) {
+    if (passed_over(edge.a)) return;
+    if (const auto candidate = evaluate(edge)) queue_.offer(edge, priority(edge, candidate->cost));
+  }
+
+  /// A hub at rest lets new edges go by.
+  bool passed_over(int owner) {
+    if (rest_[owner] == 0 || queue_.partner(owner) != EdgeQueue::none) return false;
+    --rest_[owner];
+    return true;
   }
 
   bool report_progress(const Progress& progress, int start) const {
@@ -239,6 +252,7 @@ class EdgeCollapse {
   WorkingMesh& mesh_;
   MetricType& metric_;
   const DecimationParams& params_;
+  const Scheduler scheduler_;
   const StopCriterion& stop_;
   EdgeQueue queue_;
   EdgeNeighborhood around_;
