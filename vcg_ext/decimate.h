@@ -52,7 +52,8 @@ DecimationReport decimate_edge_collapse(MeshType& mesh, const EdgeCollapseParams
     } catch (const CancelRequest&) {
       report.stopped_by = StopReason::Cancelled;
     }
-    if (report.stopped_by != StopReason::Cancelled) WriteBack<MeshType>(mesh, snapshot).run(blend.steps(), wedges);
+    if (report.stopped_by != StopReason::Cancelled)
+      WriteBack<MeshType>(mesh, snapshot).run(blend.steps(), wedges);
   }
   report.max_error *= snapshot.diagonal;
   finish(mesh, report);
@@ -60,8 +61,9 @@ DecimationReport decimate_edge_collapse(MeshType& mesh, const EdgeCollapseParams
   return report;
 }
 
-/// Writes to the quality of every vertex of a face the curvature that CurvatureWeighted uses, in the
-/// mesh's unit, or the factor that an edge with this curvature at one end gets. Throws InputError.
+/// Writes to the quality of every vertex of a face the curvature that CurvatureWeighted uses, in
+/// the mesh's unit, or the factor that an edge with this curvature at one end gets. Throws
+/// InputError.
 template <class MeshType>
 void curvature_importance(MeshType& mesh, const ImportanceParams& params) {
   validate(params);
@@ -69,7 +71,8 @@ void curvature_importance(MeshType& mesh, const ImportanceParams& params) {
   const auto curvature = vertex_curvatures(snapshot.mesh, Parallel(0));
   const CurvatureWeight weight = curvature_weight(params, curvature, snapshot.diagonal);
   const double length = snapshot.diagonal;
-  const double unit = params.curvature_kind == CurvatureKind::Gaussian ? 1.0 / (length * length) : 1.0 / length;
+  const double unit =
+      params.curvature_kind == CurvatureKind::Gaussian ? 1.0 / (length * length) : 1.0 / length;
   for (std::size_t v = 0; v < curvature.size(); ++v) {
     const double k = curvature[v].of_kind(params.curvature_kind);
     auto& quality = mesh.vert[snapshot.vertex_of[v]].Q();

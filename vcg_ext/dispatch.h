@@ -11,7 +11,8 @@ namespace curvdecim {
 
 /// Calls use(metric) with the metric that the parameters name.
 template <class Use>
-void with_metric(const WorkingMesh& mesh, const EdgeCollapseParams& params, double diagonal, Use use) {
+void with_metric(const WorkingMesh& mesh, const EdgeCollapseParams& params, double diagonal,
+                 Use use) {
   switch (params.metric) {
     case Metric::Quadric: return use(QuadricMetric(mesh, params));
     case Metric::CurvatureWeighted: return use(CurvatureWeightedMetric(mesh, params, diagonal));

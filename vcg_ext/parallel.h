@@ -15,7 +15,8 @@ class Parallel {
   /// threads: 0 for all cores. between_blocks: called on the calling thread while no other runs; it
   /// may throw to end the work.
   explicit Parallel(int threads, std::function<void()> between_blocks = {})
-      : threads_(threads > 0 ? threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()))),
+      : threads_(threads > 0 ? threads
+                             : std::max(1, static_cast<int>(std::thread::hardware_concurrency()))),
         between_blocks_(std::move(between_blocks)) {}
 
   /// work(i) for every i below count.

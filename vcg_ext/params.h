@@ -60,10 +60,11 @@ enum class Preset { Fast, Balanced, Best, Custom };
 struct DecimationParams {
   static constexpr int no_target = std::numeric_limits<int>::max();
 
-  int target_faces = no_target;   ///< stop at this many faces (selected faces with selected_only)
-  int target_vertices = 0;        ///< stop at this many vertices; 0: not used
-  double target_fraction = 0.0;   ///< (0, 1]: fraction of the faces to keep; 0: not used, else it wins
-  double max_error = 0.0;         ///< >= 0, length: two-sided distance bound; 0: no bound
+  int target_faces = no_target;  ///< stop at this many faces (selected faces with selected_only)
+  int target_vertices = 0;       ///< stop at this many vertices; 0: not used
+  double target_fraction =
+      0.0;                 ///< (0, 1]: fraction of the faces to keep; 0: not used, else it wins
+  double max_error = 0.0;  ///< >= 0, length: two-sided distance bound; 0: no bound
   bool preserve_boundary = true;  ///< boundary vertices stay on the boundary curve
   double boundary_weight = 1.0;   ///< >= 0: weight of the boundary and feature quadrics
   bool preserve_normal = true;    ///< refuse a face whose normal turns more than normal_angle

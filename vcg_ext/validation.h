@@ -37,7 +37,8 @@ inline void validate(const DecimationParams& params) {
 }
 
 inline void validate(const CurvatureParams& params) {
-  if (std::isnan(params.alpha)) throw InputError("Alpha is not a number; give 0 or less for infinite.");
+  if (std::isnan(params.alpha))
+    throw InputError("Alpha is not a number; give 0 or less for infinite.");
   require_range("CurvatureFloor", params.curvature_floor, 0.0, 1.0);
 }
 

@@ -70,7 +70,8 @@ inline bool is_singular_edge(const TriangleConnectivity& connectivity, int a, in
 
 /// Calls visit(u) once for every neighbour u of v.
 template <class Visit>
-void for_each_neighbor(const TriangleConnectivity& connectivity, int v, VertexMarks& marks, Visit visit) {
+void for_each_neighbor(const TriangleConnectivity& connectivity, int v, VertexMarks& marks,
+                       Visit visit) {
   marks.clear();
   marks.insert(v);
   for (int f : connectivity.faces_of(v))

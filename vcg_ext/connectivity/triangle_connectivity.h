@@ -27,7 +27,9 @@ class TriangleConnectivity {
 
   /// faces: (F, 3) indices below vertex_count, no index twice in a face.
   TriangleConnectivity(std::vector<Face> faces, int vertex_count)
-      : faces_(std::move(faces)), lists_(vertex_count), face_count_(static_cast<int>(faces_.size())) {
+      : faces_(std::move(faces)),
+        lists_(vertex_count),
+        face_count_(static_cast<int>(faces_.size())) {
     for (const Face& face : faces_)
       for (int v : face) ++lists_[v].capacity;
     int end = 0;

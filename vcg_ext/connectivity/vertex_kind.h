@@ -23,7 +23,9 @@ enum class VertexKind : std::uint8_t {
 class VertexClassifier {
  public:
   explicit VertexClassifier(const TriangleConnectivity& connectivity)
-      : connectivity_(connectivity), degree_(connectivity.vertex_slots(), 0), others_(connectivity.vertex_slots(), 0) {}
+      : connectivity_(connectivity),
+        degree_(connectivity.vertex_slots(), 0),
+        others_(connectivity.vertex_slots(), 0) {}
 
   VertexKind classify(int v) {
     build_link(v);
@@ -59,7 +61,9 @@ class VertexClassifier {
         start = u;
       }
     if (branches > 0)
-      return ends == 0 && branches == 2 * degree_[start] && is_theta(v, start) ? VertexKind::Curve : VertexKind::Junction;
+      return ends == 0 && branches == 2 * degree_[start] && is_theta(v, start)
+                 ? VertexKind::Curve
+                 : VertexKind::Junction;
     if (ends > 2 || walk_all(v, start) != faces.size()) return VertexKind::Junction;
     return ends == 0 ? VertexKind::Interior : VertexKind::Boundary;
   }

@@ -10,7 +10,8 @@
 namespace curvdecim {
 
 /// Area-weighted mean of a curvature over the mesh: what 1 means in AlphaUnits::ScaleFree.
-inline double mean_curvature_of_kind(const std::vector<VertexCurvature>& curvature, CurvatureKind kind) {
+inline double mean_curvature_of_kind(const std::vector<VertexCurvature>& curvature,
+                                     CurvatureKind kind) {
   double sum = 0.0, area = 0.0;
   for (const VertexCurvature& c : curvature) {
     sum += c.of_kind(kind) * c.area;
@@ -19,9 +20,11 @@ inline double mean_curvature_of_kind(const std::vector<VertexCurvature>& curvatu
   return area > 0.0 ? sum / area : 0.0;
 }
 
-inline std::vector<VertexCurvature> vertex_curvatures(const WorkingMesh& mesh, const Parallel& parallel) {
+inline std::vector<VertexCurvature> vertex_curvatures(const WorkingMesh& mesh,
+                                                      const Parallel& parallel) {
   std::vector<VertexCurvature> curvature(mesh.position.size());
-  parallel.for_each(static_cast<int>(curvature.size()), [&](int v) { curvature[v] = vertex_curvature(mesh, v); });
+  parallel.for_each(static_cast<int>(curvature.size()),
+                    [&](int v) { curvature[v] = vertex_curvature(mesh, v); });
   return curvature;
 }
 
@@ -31,7 +34,8 @@ inline std::vector<VertexCurvature> vertex_curvatures(const WorkingMesh& mesh, c
 class CurvatureWeight {
  public:
   /// alpha <= 0: 1 everywhere. unit: the curvature that counts as 1.
-  CurvatureWeight(double alpha, double floor, double unit) : alpha_(alpha), floor_(floor), unit_(unit) {}
+  CurvatureWeight(double alpha, double floor, double unit)
+      : alpha_(alpha), floor_(floor), unit_(unit) {}
 
   double operator()(double curvature) const {
     if (!(alpha_ > 0.0) || !(unit_ > 0.0)) return 1.0;
@@ -44,10 +48,13 @@ class CurvatureWeight {
 
 /// curvature: of the input in its box of diagonal 1; diagonal: of the input in its own unit.
 inline CurvatureWeight curvature_weight(const CurvatureParams& params,
-                                        const std::vector<VertexCurvature>& curvature, double diagonal) {
+                                        const std::vector<VertexCurvature>& curvature,
+                                        double diagonal) {
   if (params.alpha_units == AlphaUnits::ScaleFree)
-    return {params.alpha, params.curvature_floor, mean_curvature_of_kind(curvature, params.curvature_kind)};
-  return {params.alpha, 0.0, params.curvature_kind == CurvatureKind::Gaussian ? diagonal * diagonal : diagonal};
+    return {params.alpha, params.curvature_floor,
+            mean_curvature_of_kind(curvature, params.curvature_kind)};
+  return {params.alpha, 0.0,
+          params.curvature_kind == CurvatureKind::Gaussian ? diagonal * diagonal : diagonal};
 }
 
 }  // namespace curvdecim

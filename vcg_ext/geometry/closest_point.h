@@ -10,7 +10,9 @@ namespace curvdecim {
 
 using Barycentric = std::array<double, 3>;
 
-inline Vector3 at(const Triangle& t, const Barycentric& w) { return w[0] * t[0] + w[1] * t[1] + w[2] * t[2]; }
+inline Vector3 at(const Triangle& t, const Barycentric& w) {
+  return w[0] * t[0] + w[1] * t[1] + w[2] * t[2];
+}
 
 /// Barycentric coordinates of the point of edge i, i+1 nearest to p.
 inline Barycentric closest_on_edge(const Triangle& t, int i, const Vector3& p) {

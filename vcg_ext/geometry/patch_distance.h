@@ -12,15 +12,15 @@ namespace curvdecim {
 
 /// Bounds the distance between two small triangle patches over the same outline. Seen along a
 /// direction in which no triangle of either is turned away, both are height fields over one plane
-/// domain; the difference of two piecewise linear functions is largest at a vertex of their overlay,
-/// and every overlay vertex is a vertex of a patch or a crossing of two edges. The vertical
-/// difference bounds the two-sided distance @cite cohen1997.
+/// domain; the difference of two piecewise linear functions is largest at a vertex of their
+/// overlay, and every overlay vertex is a vertex of a patch or a crossing of two edges. The
+/// vertical difference bounds the two-sided distance @cite cohen1997.
 class PatchDistance {
  public:
   using Patch = std::vector<Triangle>;
 
-  /// fan: triangles around `apex` (bitwise). nullopt where the patches are no height fields along the
-  /// sum of their area vectors.
+  /// fan: triangles around `apex` (bitwise). nullopt where the patches are no height fields along
+  /// the sum of their area vectors.
   static std::optional<double> bound(const Patch& patch, const Patch& fan, const Vector3& apex) {
     Vector3 up = Vector3::Zero();
     for (const Triangle& t : patch) up += area_vector(t);
@@ -57,7 +57,8 @@ class PatchDistance {
     double angles = 0.0;
     for (const Triangle& t : fan)
       for (int i = 0; i < 3; ++i)
-        if (t[i] == apex) angles += corner_angle(flat(t[i]), flat(t[(i + 1) % 3]), flat(t[(i + 2) % 3]));
+        if (t[i] == apex)
+          angles += corner_angle(flat(t[i]), flat(t[(i + 1) % 3]), flat(t[(i + 2) % 3]));
     return angles <= 2.0 * M_PI + rounding;
   }
 
@@ -82,7 +83,8 @@ class PatchDistance {
       const double area = plane_area(t[0], t[1], t[2]);
       const double w0 = plane_area(p, t[1], t[2]) / area, w1 = plane_area(t[0], p, t[2]) / area;
       const double inside = std::min({w0, w1, 1.0 - w0 - w1});
-      if (inside > best) best = inside, z = w0 * t[0].z() + w1 * t[1].z() + (1.0 - w0 - w1) * t[2].z();
+      if (inside > best)
+        best = inside, z = w0 * t[0].z() + w1 * t[1].z() + (1.0 - w0 - w1) * t[2].z();
     }
     return z;
   }
@@ -93,12 +95,14 @@ class PatchDistance {
       for (const Triangle& t : q)
         for (int i = 0; i < 3; ++i)
           for (int j = 0; j < 3; ++j)
-            largest = std::max(largest, gap_at_crossing(s[i], s[(i + 1) % 3], t[j], t[(j + 1) % 3]));
+            largest =
+                std::max(largest, gap_at_crossing(s[i], s[(i + 1) % 3], t[j], t[(j + 1) % 3]));
     return largest;
   }
 
   /// 0 where the edges do not cross, or run along each other: then their ends tell.
-  static double gap_at_crossing(const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& d) {
+  static double gap_at_crossing(const Vector3& a, const Vector3& b, const Vector3& c,
+                                const Vector3& d) {
     const double side_a = plane_area(c, d, a), side_b = plane_area(c, d, b);
     const double side_c = plane_area(a, b, c), side_d = plane_area(a, b, d);
     if (side_a * side_b >= 0.0 || side_c * side_d >= 0.0) return 0.0;

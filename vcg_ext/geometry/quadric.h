@@ -35,7 +35,8 @@ struct Quadric {
 /// The sum of p, about the point -half, and q, about +half, as a quadric about the point between.
 inline Quadric sum_about_midpoint(const Quadric& p, const Quadric& q, const Vector3& half) {
   const Symmetric3 a = p.a + q.a;
-  return {a, p.b + q.b + (p.a - q.a) * half, p.c + q.c + half.dot(a * half) + 2.0 * (p.b - q.b).dot(half)};
+  return {a, p.b + q.b + (p.a - q.a) * half,
+          p.c + q.c + half.dot(a * half) + 2.0 * (p.b - q.b).dot(half)};
 }
 
 inline Quadric operator+(Quadric p, const Quadric& q) { return p += q; }

@@ -12,7 +12,8 @@ struct Symmetric3 {
   /// weight * n n^T
   static Symmetric3 outer(const Vector3& n, double weight) {
     const Vector3 w = weight * n;
-    return {w.x() * n.x(), w.x() * n.y(), w.x() * n.z(), w.y() * n.y(), w.y() * n.z(), w.z() * n.z()};
+    return {w.x() * n.x(), w.x() * n.y(), w.x() * n.z(),
+            w.y() * n.y(), w.y() * n.z(), w.z() * n.z()};
   }
 
   Symmetric3& operator+=(const Symmetric3& o) {

@@ -39,8 +39,8 @@ inline double corner_angle(const Vector3& apex, const Vector3& b, const Vector3&
 /// @cite bhatia1990.
 inline double shape_quality(const Triangle& t, double area) {
   constexpr double four_root_three = 6.92820323027550917;
-  const double edges = (t[1] - t[0]).squaredNorm() + (t[2] - t[1]).squaredNorm() +
-                       (t[0] - t[2]).squaredNorm();
+  const double edges =
+      (t[1] - t[0]).squaredNorm() + (t[2] - t[1]).squaredNorm() + (t[0] - t[2]).squaredNorm();
   return edges > 0.0 ? four_root_three * area / edges : 0.0;
 }
 

@@ -35,7 +35,9 @@ class CollapseRule {
   }
 
  private:
-  bool stays(int v) const { return mesh_.locked[v] || (topology_ && mesh_.kind[v] == VertexKind::Junction); }
+  bool stays(int v) const {
+    return mesh_.locked[v] || (topology_ && mesh_.kind[v] == VertexKind::Junction);
+  }
 
   static bool may_go_onto(VertexKind from, VertexKind to) {
     return from == VertexKind::Interior || from == to || to == VertexKind::Junction;

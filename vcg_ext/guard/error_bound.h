@@ -14,12 +14,13 @@
 namespace curvdecim {
 
 /// A guaranteed bound on the two-sided distance to the input. Every collapse maps the old faces
-/// around the edge one to one onto the new ones @cite cohen1997; what a point has moved in all is at
-/// most the sum of what each collapse moved it, and every face carries the largest sum in it.
+/// around the edge one to one onto the new ones @cite cohen1997; what a point has moved in all is
+/// at most the sum of what each collapse moved it, and every face carries the largest sum in it.
 class ErrorBound {
  public:
   /// limit: in the unit of the working mesh; 0 for none.
-  ErrorBound(const WorkingMesh& mesh, double limit) : limit_(limit), of_face_(limit > 0.0 ? mesh.plane.size() : 0, 0.0) {}
+  ErrorBound(const WorkingMesh& mesh, double limit)
+      : limit_(limit), of_face_(limit > 0.0 ? mesh.plane.size() : 0, 0.0) {}
 
   bool active() const { return limit_ > 0.0; }
 
@@ -44,10 +45,12 @@ class ErrorBound {
   /// How far the collapse moves a point at most.
   double moved(const WorkingMesh& mesh, const EdgeNeighborhood& around, const Vector3& x) {
     const Vector3 &a = mesh.position[around.edge().a], &b = mesh.position[around.edge().b];
-    const double linear = std::max((a - x).norm(), (b - x).norm());  // a and b go to x, the rest follows
+    const double linear =
+        std::max((a - x).norm(), (b - x).norm());  // a and b go to x, the rest follows
     after_.clear();
     for (int f : around.star()) after_.push_back(triangle_after(mesh, f, around.edge(), x));
-    const double along = around.wings().size() == 2 ? inner(mesh, around, x) : outer(mesh, around, x);
+    const double along =
+        around.wings().size() == 2 ? inner(mesh, around, x) : outer(mesh, around, x);
     return std::min(linear, along);
   }
 
@@ -73,7 +76,8 @@ class ErrorBound {
                                       mesh.connectivity.face_has(f, a) ? to_a : to_b));
     before_.push_back(half_wing(mesh, around, b, x, a, to_a));
     before_.push_back(half_wing(mesh, around, a, x, b, to_b));
-    const double slide = std::max({(to_a - mesh.position[a]).norm(), (to_b - mesh.position[b]).norm(), (split - x).norm()});
+    const double slide = std::max(
+        {(to_a - mesh.position[a]).norm(), (to_b - mesh.position[b]).norm(), (split - x).norm()});
     drop_flat();
     return slide + PatchDistance::bound(before_, after_, x).value_or(HUGE_VAL);
   }
@@ -91,8 +95,8 @@ class ErrorBound {
   }
 
   /// The wing with one end of the edge at x and the other slid.
-  static Triangle half_wing(const WorkingMesh& mesh, const EdgeNeighborhood& around, int end_at_x, const Vector3& x,
-                            int slid, const Vector3& to) {
+  static Triangle half_wing(const WorkingMesh& mesh, const EdgeNeighborhood& around, int end_at_x,
+                            const Vector3& x, int slid, const Vector3& to) {
     const int wing = around.wings()[0];
     Triangle t = mesh.triangle(wing);
     t[mesh.connectivity.corner(wing, end_at_x)] = x;

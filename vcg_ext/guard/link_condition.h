@@ -14,11 +14,16 @@ inline bool satisfies_link_condition(const WorkingMesh& mesh, const EdgeNeighbor
   const auto [a, b] = around.edge();
   const std::vector<int>& thirds = around.thirds();
   if (around.common_neighbors() != static_cast<int>(thirds.size())) return false;
-  if (mesh.kind[a] != VertexKind::Interior && mesh.kind[b] != VertexKind::Interior && thirds.size() == 2) return false;
+  if (mesh.kind[a] != VertexKind::Interior && mesh.kind[b] != VertexKind::Interior &&
+      thirds.size() == 2)
+    return false;
   for (std::size_t i = 0; i < thirds.size(); ++i) {
-    if (is_singular_edge(connectivity, a, thirds[i]) && is_singular_edge(connectivity, b, thirds[i])) return false;
+    if (is_singular_edge(connectivity, a, thirds[i]) &&
+        is_singular_edge(connectivity, b, thirds[i]))
+      return false;
     for (std::size_t j = 0; j < i; ++j)
-      if (connectivity.find_face(a, thirds[i], thirds[j]) >= 0 && connectivity.find_face(b, thirds[i], thirds[j]) >= 0)
+      if (connectivity.find_face(a, thirds[i], thirds[j]) >= 0 &&
+          connectivity.find_face(b, thirds[i], thirds[j]) >= 0)
         return false;
   }
   return true;

@@ -7,8 +7,8 @@ namespace curvdecim {
 
 /// True if the collapse makes a needle or a cap out of a face that was better. `least` is a
 /// shape_quality.
-inline bool spoils_shape(const Triangle& before, double area_before, const Triangle& after, double area_after,
-                         double least) {
+inline bool spoils_shape(const Triangle& before, double area_before, const Triangle& after,
+                         double area_after, double least) {
   const double quality = shape_quality(after, area_after);
   return quality < least && quality < shape_quality(before, area_before);
 }

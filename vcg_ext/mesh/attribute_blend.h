@@ -23,7 +23,8 @@ struct BlendStep {
 /// position is so carried over the surface and not only along the edge.
 class BlendRecord : public CollapseObserver {
  public:
-  void before(const WorkingMesh& mesh, const EdgeNeighborhood& around, const Collapse& collapse) override {
+  void before(const WorkingMesh& mesh, const EdgeNeighborhood& around,
+              const Collapse& collapse) override {
     if (collapse.now == collapse.keep_was) return;
     const Vector3& x = collapse.now;
     BlendStep nearest{collapse.keep, {}, {}};
@@ -35,7 +36,8 @@ class BlendRecord : public CollapseObserver {
         if (height * height >= least) continue;  // its plane is further away already
         const Barycentric weight = closest_point(triangle, x);
         const double distance2 = (at(triangle, weight) - x).squaredNorm();
-        if (distance2 < least) least = distance2, nearest = {collapse.keep, mesh.connectivity.face(f), weight};
+        if (distance2 < least)
+          least = distance2, nearest = {collapse.keep, mesh.connectivity.face(f), weight};
       }
     steps_.push_back(nearest);
   }
@@ -52,8 +54,9 @@ bool is_finite(const Vector& value) {
   return value.allFinite();
 }
 
-/// Replays the record on one attribute. Value: a vector space over double. A value that is not finite
-/// does not spread: the other corners stand in for it, and if there are none, `keep` keeps its own.
+/// Replays the record on one attribute. Value: a vector space over double. A value that is not
+/// finite does not spread: the other corners stand in for it, and if there are none, `keep` keeps
+/// its own.
 template <class Value>
 void replay(const std::vector<BlendStep>& steps, std::vector<Value>& values) {
   for (const BlendStep& step : steps) {

@@ -40,17 +40,20 @@ inline bool has_seams(const WorkingMesh& mesh, const WedgeTexture& wedges) {
 
 /// What is not carried in full.
 template <class MeshType>
-void note_attributes(const MeshType& mesh, const Snapshot& snapshot, const std::optional<WedgeTexture>& wedges,
-                     DecimationReport& report) {
+void note_attributes(const MeshType& mesh, const Snapshot& snapshot,
+                     const std::optional<WedgeTexture>& wedges, DecimationReport& report) {
   if (wedges && has_seams(snapshot.mesh, *wedges))
-    report.notes.push_back("The texture has seams. Its coordinates are carried, but seams may shift a little.");
+    report.notes.push_back(
+        "The texture has seams. Its coordinates are carried, but seams may shift a little.");
   for (const auto& face : mesh.face)
     if (!face.IsD() && face.IsAnyF()) {
-      report.notes.push_back("Marks of edges inside polygons (faux edges) are dropped where faces change.");
+      report.notes.push_back(
+          "Marks of edges inside polygons (faux edges) are dropped where faces change.");
       break;
     }
   if (!mesh.vert_attr.empty())
-    report.notes.push_back("Custom vertex attributes stay with the vertices that remain; they are not interpolated.");
+    report.notes.push_back(
+        "Custom vertex attributes stay with the vertices that remain; they are not interpolated.");
 }
 
 }  // namespace curvdecim

@@ -24,8 +24,8 @@ DecimationReport initial_report(const MeshType& mesh) {
   return report;
 }
 
-/// Faces outside the selection stay, also unusable ones, and so do their vertices. Throws InputError
-/// where nothing is selected.
+/// Faces outside the selection stay, also unusable ones, and so do their vertices. Throws
+/// InputError where nothing is selected.
 template <class MeshType>
 void lock_unselected(const MeshType& mesh, Snapshot& snapshot) {
   if (std::none_of(snapshot.selected.begin(), snapshot.selected.end(), [](bool s) { return s; }))
@@ -34,9 +34,12 @@ void lock_unselected(const MeshType& mesh, Snapshot& snapshot) {
   for (const auto& face : mesh.face)
     if (!face.IsD() && !face.IsS())
       for (int i = 0; i < 3; ++i) locked[vcg::tri::Index(mesh, face.cV(i))] = true;
-  for (std::size_t v = 0; v < snapshot.vertex_of.size(); ++v) snapshot.mesh.locked[v] = locked[snapshot.vertex_of[v]];
+  for (std::size_t v = 0; v < snapshot.vertex_of.size(); ++v)
+    snapshot.mesh.locked[v] = locked[snapshot.vertex_of[v]];
   const auto outside = [&](int f) { return !mesh.face[f].IsS(); };
-  snapshot.unusable.erase(std::remove_if(snapshot.unusable.begin(), snapshot.unusable.end(), outside), snapshot.unusable.end());
+  snapshot.unusable.erase(
+      std::remove_if(snapshot.unusable.begin(), snapshot.unusable.end(), outside),
+      snapshot.unusable.end());
 }
 
 /// Vertex quality, scaled to a largest value of 1, as a factor on the cost. Values at or below zero
@@ -49,7 +52,8 @@ std::vector<double> importance_from_quality(const MeshType& mesh, const Snapshot
   for (int v : snapshot.vertex_of) {
     importance.push_back(static_cast<double>(mesh.vert[v].cQ()));
     if (!std::isfinite(importance.back()))
-      throw InputError("QualityWeight is on, but the quality of vertex " + std::to_string(v) + " is not finite.");
+      throw InputError("QualityWeight is on, but the quality of vertex " + std::to_string(v) +
+                       " is not finite.");
   }
   const double largest = *std::max_element(importance.begin(), importance.end());
   if (!(largest > 0.0)) return {};
@@ -59,7 +63,8 @@ std::vector<double> importance_from_quality(const MeshType& mesh, const Snapshot
 
 /// Faces to keep among `candidates`, by the parameter that rules.
 inline int target_faces(const DecimationParams& params, int candidates) {
-  if (params.target_fraction > 0.0) return std::max(1, static_cast<int>(params.target_fraction * candidates));
+  if (params.target_fraction > 0.0)
+    return std::max(1, static_cast<int>(params.target_fraction * candidates));
   if (params.target_vertices > 0) return 0;
   return params.target_faces == DecimationParams::no_target ? 0 : params.target_faces;
 }
@@ -69,46 +74,56 @@ inline void note_repairs(const Snapshot& snapshot, DecimationReport& report) {
     report.notes.push_back("Removed " + std::to_string(snapshot.unusable.size()) +
                            " faces that used a vertex twice or repeated another face.");
   const auto& kinds = snapshot.mesh.kind;
-  const auto non_manifold = std::count_if(kinds.begin(), kinds.end(), [](VertexKind k) { return k >= VertexKind::Curve; });
+  const auto non_manifold = std::count_if(kinds.begin(), kinds.end(),
+                                          [](VertexKind k) { return k >= VertexKind::Curve; });
   if (non_manifold > 0)
-    report.notes.push_back(std::to_string(non_manifold) + " vertices are non-manifold; there will not be more.");
+    report.notes.push_back(std::to_string(non_manifold) +
+                           " vertices are non-manifold; there will not be more.");
 }
 
 inline void require_target(const DecimationParams& params) {
   if (params.target_faces == DecimationParams::no_target && params.target_vertices == 0 &&
       params.target_fraction == 0.0 && params.max_error == 0.0)
-    throw InputError("No target is given. Set TargetFaceNum, TargetVertNum, TargetPerc or MaxError.");
+    throw InputError(
+        "No target is given. Set TargetFaceNum, TargetVertNum, TargetPerc or MaxError.");
 }
 
 /// Living faces that may change.
 template <class MeshType>
 int count_candidates(const MeshType& mesh, bool selected_only) {
   if (!selected_only) return mesh.fn;
-  return static_cast<int>(std::count_if(mesh.face.begin(), mesh.face.end(), [](const auto& f) { return !f.IsD() && f.IsS(); }));
+  return static_cast<int>(std::count_if(mesh.face.begin(), mesh.face.end(),
+                                        [](const auto& f) { return !f.IsD() && f.IsS(); }));
 }
 
 /// Locks, weights and the target in terms of the working mesh; notes what the user should know.
 /// nullopt: the mesh is small enough as it is.
 template <class MeshType>
-std::optional<StopCriterion> set_up(const MeshType& mesh, const DecimationParams& params, Snapshot& snapshot,
-                                    DecimationReport& report) {
+std::optional<StopCriterion> set_up(const MeshType& mesh, const DecimationParams& params,
+                                    Snapshot& snapshot, DecimationReport& report) {
   require_target(params);
   if (params.selected_only) lock_unselected(mesh, snapshot);
-  const int candidates = count_candidates(mesh, params.selected_only), target = target_faces(params, candidates);
+  const int candidates = count_candidates(mesh, params.selected_only),
+            target = target_faces(params, candidates);
   const bool by_vertices = params.target_vertices > 0;
   if (target >= candidates || (by_vertices && params.target_vertices >= mesh.vn)) {
-    report.notes.push_back("The target is not below the current count: nothing to do, the mesh is unchanged.");
+    report.notes.push_back(
+        "The target is not below the current count: nothing to do, the mesh is unchanged.");
     return std::nullopt;
   }
   if (params.quality_weight) {
     snapshot.mesh.importance = importance_from_quality(mesh, snapshot);
     if (snapshot.mesh.importance.empty())
-      report.notes.push_back("QualityWeight is on, but no vertex has a quality above zero: it has no effect.");
+      report.notes.push_back(
+          "QualityWeight is on, but no vertex has a quality above zero: it has no effect.");
   }
   note_repairs(snapshot, report);
-  const auto outside = params.selected_only ? std::count(snapshot.selected.begin(), snapshot.selected.end(), false) : 0;
+  const auto outside = params.selected_only
+                           ? std::count(snapshot.selected.begin(), snapshot.selected.end(), false)
+                           : 0;
   const int unused = mesh.vn - snapshot.mesh.connectivity.vertex_count();
-  return StopCriterion{target + static_cast<int>(outside), by_vertices ? std::max(0, params.target_vertices - unused) : 0};
+  return StopCriterion{target + static_cast<int>(outside),
+                       by_vertices ? std::max(0, params.target_vertices - unused) : 0};
 }
 
 /// What is left, and why it is more than was asked for.
@@ -116,11 +131,15 @@ template <class MeshType>
 void finish(const MeshType& mesh, DecimationReport& report) {
   report.faces = mesh.fn;
   report.vertices = mesh.vn;
-  if (report.stopped_by == StopReason::Cancelled) report.notes.push_back("Cancelled: the mesh is unchanged.");
+  if (report.stopped_by == StopReason::Cancelled)
+    report.notes.push_back("Cancelled: the mesh is unchanged.");
   if (report.stopped_by != StopReason::NothingLeft) return;
   const auto most = std::max_element(report.rejected.begin(), report.rejected.end());
-  std::string note = "Stopped at " + std::to_string(mesh.fn) + " faces, above the target: no edge is left that may collapse.";
-  if (*most > 0) note += std::string(" Most were refused by ") + rejection_names[most - report.rejected.begin()] + '.';
+  std::string note = "Stopped at " + std::to_string(mesh.fn) +
+                     " faces, above the target: no edge is left that may collapse.";
+  if (*most > 0)
+    note += std::string(" Most were refused by ") +
+            rejection_names[most - report.rejected.begin()] + '.';
   report.notes.push_back(note);
 }
 

@@ -30,17 +30,20 @@ struct Snapshot {
 template <class MeshType>
 class SnapshotReader {
  public:
-  explicit SnapshotReader(const MeshType& mesh) : mesh_(mesh), working_of_(mesh.vert.size(), unused) {}
+  explicit SnapshotReader(const MeshType& mesh)
+      : mesh_(mesh), working_of_(mesh.vert.size(), unused) {}
 
   /// Throws InputError where there is nothing to decimate or a face uses a vertex that it cannot.
   Snapshot read() {
     if (mesh_.vn == 0) throw InputError("The mesh is empty; load a triangle mesh first.");
     if (mesh_.fn == 0)
-      throw InputError("The mesh has " + std::to_string(mesh_.vn) +
-                       " points but no faces; decimation needs a triangle mesh. Reconstruct a surface first.");
+      throw InputError(
+          "The mesh has " + std::to_string(mesh_.vn) +
+          " points but no faces; decimation needs a triangle mesh. Reconstruct a surface first.");
     for (std::size_t f = 0; f < mesh_.face.size(); ++f)
       if (!mesh_.face[f].IsD()) read_face(static_cast<int>(f));
-    if (faces_.empty()) throw InputError("Every face of the mesh uses a vertex twice; nothing is left to decimate.");
+    if (faces_.empty())
+      throw InputError("Every face of the mesh uses a vertex twice; nothing is left to decimate.");
     collect_vertices();
     normalize();
     number_vertices();
@@ -67,7 +70,8 @@ class SnapshotReader {
     const auto* vertex = mesh_.face[f].cV(i);
     const auto index = vertex ? vertex - mesh_.vert.data() : -1;
     if (index < 0 || index >= static_cast<std::ptrdiff_t>(mesh_.vert.size()) || vertex->IsD())
-      throw InputError("Face " + std::to_string(f) + " refers to a vertex that does not exist. Clean the mesh first.");
+      throw InputError("Face " + std::to_string(f) +
+                       " refers to a vertex that does not exist. Clean the mesh first.");
     for (int k = 0; k < 3; ++k)
       if (!std::isfinite(static_cast<double>(vertex->cP()[k])))
         throw InputError("Vertex " + std::to_string(index) + " of face " + std::to_string(f) +
@@ -83,11 +87,12 @@ class SnapshotReader {
     }
   }
 
-  /// Neighbours in space become neighbours in memory: the collapses jump about in the mesh, but each
-  /// touches a small region only.
+  /// Neighbours in space become neighbours in memory: the collapses jump about in the mesh, but
+  /// each touches a small region only.
   void number_vertices() {
     std::vector<std::pair<std::uint64_t, int>> order;
-    for (int v : snapshot_.vertex_of) order.emplace_back(morton_code(snapshot_.to_box(point(v))), v);
+    for (int v : snapshot_.vertex_of)
+      order.emplace_back(morton_code(snapshot_.to_box(point(v))), v);
     std::sort(order.begin(), order.end());
     for (std::size_t i = 0; i < order.size(); ++i) {
       snapshot_.vertex_of[i] = order[i].second;

@@ -28,7 +28,8 @@ class WedgeTexture : public CollapseObserver {
  public:
   explicit WedgeTexture(std::vector<FaceWedges> wedges) : wedges_(std::move(wedges)) {}
 
-  void before(const WorkingMesh& mesh, const EdgeNeighborhood& around, const Collapse& collapse) override {
+  void before(const WorkingMesh& mesh, const EdgeNeighborhood& around,
+              const Collapse& collapse) override {
     charts_.clear();
     for (int f : around.wings()) join_chart(mesh, f, collapse);
     for (int f : around.star()) join_chart(mesh, f, collapse);
@@ -97,7 +98,8 @@ class WedgeTexture : public CollapseObserver {
       if (distance2 >= least) continue;
       least = distance2;
       result = {0.0, 0.0, wedges_[f][0].page};
-      for (int i = 0; i < 3; ++i) result.u += w[i] * wedges_[f][i].u, result.v += w[i] * wedges_[f][i].v;
+      for (int i = 0; i < 3; ++i)
+        result.u += w[i] * wedges_[f][i].u, result.v += w[i] * wedges_[f][i].v;
     }
     return result;
   }

@@ -61,7 +61,8 @@ class WriteBack {
       else
         vcg::tri::Allocator<MeshType>::DeleteFace(mesh_, face);
     }
-    for (int f : snapshot_.unusable) vcg::tri::Allocator<MeshType>::DeleteFace(mesh_, mesh_.face[f]);
+    for (int f : snapshot_.unusable)
+      vcg::tri::Allocator<MeshType>::DeleteFace(mesh_, mesh_.face[f]);
   }
 
   /// Faces that did not change keep their normals and their marks of edges inside polygons, which
@@ -76,7 +77,8 @@ class WriteBack {
     if (!changed) return;
     face.ClearAllF();
     if (vcg::tri::HasPerFaceNormal(mesh_))
-      for (int k = 0; k < 3; ++k) face.N()[k] = static_cast<Scalar>(snapshot_.mesh.plane[f].normal[k]);
+      for (int k = 0; k < 3; ++k)
+        face.N()[k] = static_cast<Scalar>(snapshot_.mesh.plane[f].normal[k]);
   }
 
   /// Those that lost their last face, be it by a collapse or by a repair.
@@ -84,7 +86,8 @@ class WriteBack {
     std::vector<bool> unused(mesh_.vert.size(), false);
     for (int f : snapshot_.unusable)
       for (int i = 0; i < 3; ++i) unused[vcg::tri::Index(mesh_, mesh_.face[f].cV(i))] = true;
-    for (int v = 0; v < connectivity().vertex_slots(); ++v) unused[snapshot_.vertex_of[v]] = !in_use(v);
+    for (int v = 0; v < connectivity().vertex_slots(); ++v)
+      unused[snapshot_.vertex_of[v]] = !in_use(v);
     for (std::size_t v = 0; v < unused.size(); ++v)
       if (unused[v]) vcg::tri::Allocator<MeshType>::DeleteVertex(mesh_, mesh_.vert[v]);
   }
@@ -126,26 +129,32 @@ class WriteBack {
 
   void blend_attributes(const std::vector<BlendStep>& steps) {
     if (vcg::tri::HasPerVertexQuality(mesh_))
-      blend<double>(steps, [](const Vertex& v) { return double(v.cQ()); },
-                    [](Vertex& v, double q) { v.Q() = static_cast<decltype(v.cQ() + 0)>(q); });
+      blend<double>(
+          steps, [](const Vertex& v) { return double(v.cQ()); },
+          [](Vertex& v, double q) { v.Q() = static_cast<decltype(v.cQ() + 0)>(q); });
     if (vcg::tri::HasPerVertexRadius(mesh_))
-      blend<double>(steps, [](const Vertex& v) { return double(v.cR()); },
-                    [](Vertex& v, double r) { v.R() = static_cast<decltype(v.cR() + 0)>(r); });
+      blend<double>(
+          steps, [](const Vertex& v) { return double(v.cR()); },
+          [](Vertex& v, double r) { v.R() = static_cast<decltype(v.cR() + 0)>(r); });
     if (vcg::tri::HasPerVertexColor(mesh_)) blend<Eigen::Vector4d>(steps, read_color, write_color);
     if (vcg::tri::HasPerVertexNormal(mesh_)) blend<Vector3>(steps, read_normal, write_normal);
     if (vcg::tri::HasPerVertexTexCoord(mesh_))
-      blend<Eigen::Vector2d>(steps, [](const Vertex& v) { return Eigen::Vector2d(v.cT().u(), v.cT().v()); },
-                             [](Vertex& v, const Eigen::Vector2d& t) { v.T().u() = t.x(), v.T().v() = t.y(); });
+      blend<Eigen::Vector2d>(
+          steps, [](const Vertex& v) { return Eigen::Vector2d(v.cT().u(), v.cT().v()); },
+          [](Vertex& v, const Eigen::Vector2d& t) { v.T().u() = t.x(), v.T().v() = t.y(); });
   }
 
   static Eigen::Vector4d read_color(const Vertex& v) {
     return {double(v.cC()[0]), double(v.cC()[1]), double(v.cC()[2]), double(v.cC()[3])};
   }
   static void write_color(Vertex& v, const Eigen::Vector4d& c) {
-    for (int k = 0; k < 4; ++k) v.C()[k] = static_cast<unsigned char>(std::lround(std::clamp(c[k], 0.0, 255.0)));
+    for (int k = 0; k < 4; ++k)
+      v.C()[k] = static_cast<unsigned char>(std::lround(std::clamp(c[k], 0.0, 255.0)));
   }
 
-  static Vector3 read_normal(const Vertex& v) { return {double(v.cN()[0]), double(v.cN()[1]), double(v.cN()[2])}; }
+  static Vector3 read_normal(const Vertex& v) {
+    return {double(v.cN()[0]), double(v.cN()[1]), double(v.cN()[2])};
+  }
   static void write_normal(Vertex& v, const Vector3& n) {
     const double length = n.norm();
     for (int k = 0; k < 3 && length > 0.0; ++k) v.N()[k] = static_cast<Scalar>(n[k] / length);

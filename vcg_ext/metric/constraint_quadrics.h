@@ -12,7 +12,8 @@
 namespace curvdecim {
 
 /// Plane through an edge of face f, perpendicular to the face, about either end of the edge.
-inline Symmetric3 edge_plane_matrix(const WorkingMesh& mesh, int f, int a, int b, PlaneWeight weight) {
+inline Symmetric3 edge_plane_matrix(const WorkingMesh& mesh, int f, int a, int b,
+                                    PlaneWeight weight) {
   const Vector3 edge = mesh.position[b] - mesh.position[a];
   const Vector3 across = edge.cross(mesh.plane[f].normal);
   const double length = across.norm();
@@ -25,7 +26,8 @@ inline Symmetric3 boundary_matrix(const WorkingMesh& mesh, int v, PlaneWeight we
   Symmetric3 sum;
   for (int f : mesh.connectivity.faces_of(v))
     for (int u : mesh.connectivity.face(f))
-      if (u != v && is_boundary_edge(mesh.connectivity, v, u)) sum += edge_plane_matrix(mesh, f, v, u, weight);
+      if (u != v && is_boundary_edge(mesh.connectivity, v, u))
+        sum += edge_plane_matrix(mesh, f, v, u, weight);
   return sum;
 }
 
@@ -34,7 +36,10 @@ inline Symmetric3 boundary_matrix(const WorkingMesh& mesh, int v, PlaneWeight we
 class ConstraintQuadrics {
  public:
   ConstraintQuadrics(const WorkingMesh& mesh, const DecimationParams& params, PlaneWeight weight)
-      : mesh_(mesh), params_(params), weight_(weight), cos_feature_(std::cos(radians(params.feature_angle))) {}
+      : mesh_(mesh),
+        params_(params),
+        weight_(weight),
+        cos_feature_(std::cos(radians(params.feature_angle))) {}
 
   /// By vertex; empty where the mesh has no such edge.
   std::vector<Symmetric3> build() {

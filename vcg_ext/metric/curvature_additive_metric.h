@@ -26,7 +26,8 @@ class CurvatureAdditiveMetric {
 
   void release(const EdgeNeighborhood& around) { quadric_.release(around); }
 
-  void merge(const Collapse& collapse, const EdgeNeighborhood& around, const std::vector<int>& ring) {
+  void merge(const Collapse& collapse, const EdgeNeighborhood& around,
+             const std::vector<int>& ring) {
     quadric_.merge(collapse, around, ring);
   }
 

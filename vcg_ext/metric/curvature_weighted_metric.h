@@ -16,8 +16,13 @@ namespace curvdecim {
 class CurvatureWeightedMetric {
  public:
   /// diagonal: of the input in its own unit.
-  CurvatureWeightedMetric(const WorkingMesh& mesh, const EdgeCollapseParams& params, double diagonal)
-      : mesh_(mesh), params_(params), diagonal_(diagonal), quadric_(mesh, params), weight_(0.0, 1.0, 1.0) {}
+  CurvatureWeightedMetric(const WorkingMesh& mesh, const EdgeCollapseParams& params,
+                          double diagonal)
+      : mesh_(mesh),
+        params_(params),
+        diagonal_(diagonal),
+        quadric_(mesh, params),
+        weight_(0.0, 1.0, 1.0) {}
 
   void initialize(const Parallel& parallel) {
     quadric_.initialize(parallel);
@@ -47,7 +52,8 @@ class CurvatureWeightedMetric {
       for (int f : *faces) add(f, -1.0, around.edge());
   }
 
-  void merge(const Collapse& collapse, const EdgeNeighborhood& around, const std::vector<int>& ring) {
+  void merge(const Collapse& collapse, const EdgeNeighborhood& around,
+             const std::vector<int>& ring) {
     quadric_.merge(collapse, around, ring);
     sums_[collapse.keep] = {};
     for (int f : around.star()) {
@@ -67,7 +73,9 @@ class CurvatureWeightedMetric {
         sums_[v].add(mesh_, f, i, angles_[f][i], sign);
   }
 
-  void update(int v) { curvature_[v] = sums_[v].curvature(mesh_.kind[v]).of_kind(params_.curvature_kind); }
+  void update(int v) {
+    curvature_[v] = sums_[v].curvature(mesh_.kind[v]).of_kind(params_.curvature_kind);
+  }
 
   void update_angles(int f) {
     const double first = corner_angle(mesh_, f, 0), second = corner_angle(mesh_, f, 1);
@@ -81,7 +89,7 @@ class CurvatureWeightedMetric {
   CurvatureWeight weight_;
   std::vector<std::array<double, 3>> angles_;  // by face and corner
   std::vector<CurvatureSums> sums_;            // by vertex
-  std::vector<double> curvature_;              // by vertex, of the current mesh in its box of diagonal 1
+  std::vector<double> curvature_;  // by vertex, of the current mesh in its box of diagonal 1
 };
 
 }  // namespace curvdecim

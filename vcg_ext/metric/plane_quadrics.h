@@ -13,7 +13,8 @@ inline Symmetric3 plane_matrix_of_face(const WorkingMesh& mesh, int f, PlaneWeig
   return Symmetric3::outer(plane.normal, weight == PlaneWeight::Area ? plane.area : 1.0);
 }
 
-/// Planes of the faces around v, about v: they all pass through it, so that only the matrix is left.
+/// Planes of the faces around v, about v: they all pass through it, so that only the matrix is
+/// left.
 inline Symmetric3 plane_matrix(const WorkingMesh& mesh, int v, PlaneWeight weight) {
   Symmetric3 sum;
   for (int f : mesh.connectivity.faces_of(v)) sum += plane_matrix_of_face(mesh, f, weight);

@@ -14,15 +14,16 @@ namespace curvdecim {
 
 /// Quadric error @cite garland1997: the squared distances of the merged vertex to the planes around
 /// both ends. Accumulated, a vertex carries the planes of all that was merged into it. Memoryless
-/// @cite lindstrom1998, it carries those of the faces around it now, keeps the volume, and remembers
-/// the input a little (docs/decisions/memoryless-quadrics.md).
+/// @cite lindstrom1998, it carries those of the faces around it now, keeps the volume, and
+/// remembers the input a little (docs/decisions/memoryless-quadrics.md).
 class QuadricMetric {
  public:
   QuadricMetric(const WorkingMesh& mesh, const EdgeCollapseParams& params)
       : mesh_(mesh), params_(params), memoryless_(params.quadrics == Quadrics::Memoryless) {}
 
   void initialize(const Parallel& parallel) {
-    const std::vector<Symmetric3> constraints = ConstraintQuadrics(mesh_, params_, params_.plane_weight).build();
+    const std::vector<Symmetric3> constraints =
+        ConstraintQuadrics(mesh_, params_, params_.plane_weight).build();
     carried_.resize(mesh_.position.size());
     quadric_.resize(memoryless_ ? carried_.size() : 0);
     gradient_.resize(quadric_.size());
@@ -39,7 +40,8 @@ class QuadricMetric {
     const Vector3 half = 0.5 * (b - a);
     const std::vector<Quadric>& quadrics = memoryless_ ? quadric_ : carried_;
     const Quadric q = sum_about_midpoint(quadrics[edge.a], quadrics[edge.b], half);
-    const Placed placed = place(q, half, allowed, params_.placement, volume_plane(edge, half, allowed));
+    const Placed placed =
+        place(q, half, allowed, params_.placement, volume_plane(edge, half, allowed));
     double cost = q.value(placed.offset);
     if (cost <= rounding * rounding * half.squaredNorm() * q.a.trace()) cost = 0.0;
     if (placed.offset == -half) return Candidate{cost, a, 0.0};  // not rounded: the vertex itself
@@ -56,9 +58,11 @@ class QuadricMetric {
 
   /// After it: the faces that remain are back in their new shape. ring: the neighbours of
   /// collapse.keep.
-  void merge(const Collapse& collapse, const EdgeNeighborhood& around, const std::vector<int>& ring) {
+  void merge(const Collapse& collapse, const EdgeNeighborhood& around,
+             const std::vector<int>& ring) {
     const auto [keep, gone, keep_was, gone_was, now, t] = collapse;
-    carried_[keep] = carried_[keep].with_origin_moved(now - keep_was) + carried_[gone].with_origin_moved(now - gone_was);
+    carried_[keep] = carried_[keep].with_origin_moved(now - keep_was) +
+                     carried_[gone].with_origin_moved(now - gone_was);
     if (!memoryless_) return;
     quadric_[keep] = carried_[keep];
     gradient_[keep] = Vector3::Zero();
@@ -71,8 +75,8 @@ class QuadricMetric {
   }
 
  private:
-  /// Distances below this part of the edge are rounding (of float coordinates; the sums are better):
-  /// all edges in a plane cost exactly nothing.
+  /// Distances below this part of the edge are rounding (of float coordinates; the sums are
+  /// better): all edges in a plane cost exactly nothing.
   static constexpr double rounding = 1e-7;
 
   /// How much of the input's planes a memoryless vertex carries: enough that thin parts are not
@@ -106,7 +110,8 @@ class QuadricMetric {
       return std::nullopt;
     Vector3 gradient = gradient_[edge.a] + gradient_[edge.b];
     for (int f : mesh_.connectivity.faces_of(edge.a))
-      if (mesh_.connectivity.face_has(f, edge.b)) gradient -= mesh_.plane[f].area * mesh_.plane[f].normal;
+      if (mesh_.connectivity.face_has(f, edge.b))
+        gradient -= mesh_.plane[f].area * mesh_.plane[f].normal;
     return VolumePlane{gradient, half.dot(gradient_[edge.b] - gradient_[edge.a])};
   }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "vcg_ext/metric/candidate.h"
 #include "vcg_ext/mesh/working_mesh.h"
+#include "vcg_ext/metric/candidate.h"
 
 namespace curvdecim {
 
@@ -10,7 +10,8 @@ namespace curvdecim {
 class CollapseObserver {
  public:
   virtual ~CollapseObserver() = default;
-  virtual void before(const WorkingMesh& mesh, const EdgeNeighborhood& around, const Collapse& collapse) = 0;
+  virtual void before(const WorkingMesh& mesh, const EdgeNeighborhood& around,
+                      const Collapse& collapse) = 0;
 };
 
 }  // namespace curvdecim

@@ -40,8 +40,8 @@ namespace curvdecim {
 template <class MetricType>
 class EdgeCollapse {
  public:
-  EdgeCollapse(WorkingMesh& mesh, MetricType& metric, const DecimationParams& params, Scheduler scheduler,
-               const StopCriterion& stop)
+  EdgeCollapse(WorkingMesh& mesh, MetricType& metric, const DecimationParams& params,
+               Scheduler scheduler, const StopCriterion& stop)
       : mesh_(mesh),
         metric_(metric),
         params_(params),
@@ -54,7 +54,9 @@ class EdgeCollapse {
         bound_(mesh, params.max_error),
         rest_(mesh.connectivity.vertex_slots(), 0),
         input_normal_(mesh.plane.size()),
-        cos_normal_(params.preserve_normal ? std::cos(params.normal_angle * (M_PI / 180.0)) + normal_margin : -1.0) {
+        cos_normal_(params.preserve_normal
+                        ? std::cos(params.normal_angle * (M_PI / 180.0)) + normal_margin
+                        : -1.0) {
     for (std::size_t f = 0; f < input_normal_.size(); ++f) input_normal_[f] = mesh.plane[f].normal;
   }
 
@@ -69,7 +71,8 @@ class EdgeCollapse {
       before = mesh_.connectivity.face_count();
       fill_queue(parallel);
       report.stopped_by = empty_queue(progress);
-    } while (report.stopped_by == StopReason::NothingLeft && mesh_.connectivity.face_count() < before);
+    } while (report.stopped_by == StopReason::NothingLeft &&
+             mesh_.connectivity.face_count() < before);
     report.max_error = bound_.largest();
     if (report.stopped_by == StopReason::NothingLeft && rejected(Rejection::ErrorBound) > 0)
       report.stopped_by = StopReason::ErrorBound;
@@ -80,9 +83,11 @@ class EdgeCollapse {
     const int start = mesh_.connectivity.face_count();
     for (int steps = 0; !stop_.reached(mesh_.connectivity); ++steps) {
       if (queue_.empty()) return StopReason::NothingLeft;
-      if (steps % steps_per_progress == 0 && !report_progress(progress, start)) return StopReason::Cancelled;
+      if (steps % steps_per_progress == 0 && !report_progress(progress, start))
+        return StopReason::Cancelled;
       const Edge edge = queue_.top();
-      const auto candidate = mesh_.connectivity.has_edge(edge.a, edge.b) ? evaluate(edge) : std::nullopt;
+      const auto candidate =
+          mesh_.connectivity.has_edge(edge.a, edge.b) ? evaluate(edge) : std::nullopt;
       if (!candidate || candidate->cost > std::max(queue_.top_cost(), queue_.second_cost())) {
         requeue(edge.a);
         continue;
@@ -111,14 +116,16 @@ class EdgeCollapse {
   }
 
   Priority priority(Edge edge, double cost) const {
-    return {cost, static_cast<float>((mesh_.position[edge.a] - mesh_.position[edge.b]).squaredNorm())};
+    return {cost,
+            static_cast<float>((mesh_.position[edge.a] - mesh_.position[edge.b]).squaredNorm())};
   }
 
   struct Option {
     Priority priority;
     int partner;
     bool operator<(const Option& o) const {
-      return std::tie(priority.cost, priority.length2, partner) < std::tie(o.priority.cost, o.priority.length2, o.partner);
+      return std::tie(priority.cost, priority.length2, partner) <
+             std::tie(o.priority.cost, o.priority.length2, o.partner);
     }
   };
 
@@ -127,7 +134,8 @@ class EdgeCollapse {
     options.clear();
     for_each_neighbor(mesh_.connectivity, v, marks, [&](int u) {
       if (u < v) return;
-      if (const auto candidate = evaluate({v, u})) options.push_back({priority({v, u}, candidate->cost), u});
+      if (const auto candidate = evaluate({v, u}))
+        options.push_back({priority({v, u}, candidate->cost), u});
     });
   }
 
@@ -140,8 +148,8 @@ class EdgeCollapse {
     queue_.set({v, best.partner}, best.priority);
   }
 
-  /// The cheapest edge of v that no guard refuses. A hub rests after some tries: each costs it as much
-  /// as it has faces.
+  /// The cheapest edge of v that no guard refuses. A hub rests after some tries: each costs it as
+  /// much as it has faces.
   void queue_next_best(int v) {
     gather_options(v, marks_, options_);
     std::sort(options_.begin(), options_.end());
@@ -159,21 +167,26 @@ class EdgeCollapse {
   // --- guards -----------------------------------------------------------------------------------
 
   std::optional<Rejection> refusal(const Candidate& candidate) {
-    if (params_.preserve_topology && !satisfies_link_condition(mesh_, around_)) return Rejection::LinkCondition;
+    if (params_.preserve_topology && !satisfies_link_condition(mesh_, around_))
+      return Rejection::LinkCondition;
     for (int f : around_.star()) {
       const Triangle triangle = triangle_after(mesh_, f, around_.edge(), candidate.position);
       const FacePlane after = face_plane(triangle);
       if (turns_too_far(mesh_.plane[f].normal, after, cos_normal_) ||
           turns_too_far(input_normal_[f], after, cos_normal_))
         return Rejection::NormalFlip;
-      if (spoils_shape(mesh_.triangle(f), mesh_.plane[f].area, triangle, after.area, least_shape_quality))
+      if (spoils_shape(mesh_.triangle(f), mesh_.plane[f].area, triangle, after.area,
+                       least_shape_quality))
         return Rejection::TriangleShape;
     }
-    if (bound_.active() && !bound_.allows(bound_.after(mesh_, around_, candidate.position))) return Rejection::ErrorBound;
+    if (bound_.active() && !bound_.allows(bound_.after(mesh_, around_, candidate.position)))
+      return Rejection::ErrorBound;
     return std::nullopt;
   }
 
-  std::int64_t& rejected(Rejection reason) { return report_->rejected[static_cast<std::size_t>(reason)]; }
+  std::int64_t& rejected(Rejection reason) {
+    return report_->rejected[static_cast<std::size_t>(reason)];
+  }
 
   // --- collapse ---------------------------------------------------------------------------------
 
@@ -182,7 +195,11 @@ class EdgeCollapse {
     const auto [a, b] = around_.edge();
     const bool keep_b = candidate.position == mesh_.position[b];
     const int keep = keep_b ? b : a, gone = keep_b ? a : b;
-    const Collapse done{keep, gone, mesh_.position[keep], mesh_.position[gone], candidate.position,
+    const Collapse done{keep,
+                        gone,
+                        mesh_.position[keep],
+                        mesh_.position[gone],
+                        candidate.position,
                         keep_b ? 1.0 - candidate.t : candidate.t};
     if (bound_.active()) bound_.set(around_, bound_.after(mesh_, around_, candidate.position));
     metric_.release(around_);
@@ -239,14 +256,17 @@ class EdgeCollapse {
 
   bool report_progress(const Progress& progress, int start) const {
     if (!progress) return true;
-    const int done = start - mesh_.connectivity.face_count(), all = std::max(1, start - stop_.faces);
+    const int done = start - mesh_.connectivity.face_count(),
+              all = std::max(1, start - stop_.faces);
     return progress(static_cast<int>(std::min(100.0, 100.0 * done / all)), "Collapsing edges");
   }
 
-  static constexpr int steps_per_progress = 1024;      // a few milliseconds
-  static constexpr int hub = 64;                       // a valence well above those of meshes made for any purpose
-  static constexpr int hub_rest = 8;                   // a refused hub is asked again when an eighth of it has changed
-  static constexpr double normal_margin = 0.05;        // of a cosine: two faces on the limit could lie back to back
+  static constexpr int steps_per_progress = 1024;  // a few milliseconds
+  static constexpr int hub = 64;  // a valence well above those of meshes made for any purpose
+  static constexpr int hub_rest =
+      8;  // a refused hub is asked again when an eighth of it has changed
+  static constexpr double normal_margin =
+      0.05;  // of a cosine: two faces on the limit could lie back to back
   static constexpr double least_shape_quality = 0.01;  // a needle of 1 : 100
 
   WorkingMesh& mesh_;
@@ -260,7 +280,8 @@ class EdgeCollapse {
   const CollapseRule rule_;
   ErrorBound bound_;
   std::vector<int> rest_;              // by vertex: new edges still to be passed over
-  std::vector<Vector3> input_normal_;  // by face: turns are counted from here, so that many small ones cannot flip it
+  std::vector<Vector3> input_normal_;  // by face: turns are counted from here, so that many small
+                                       // ones cannot flip it
   const double cos_normal_;
   std::vector<int> ring_;
   std::vector<Option> options_;

@@ -18,13 +18,15 @@ struct VolumePlane {
 /// directions in which it is flat do not throw the vertex far away; then moved, where that takes no
 /// more than the edge's length, to the minimum among the points that keep the volume. The edge goes
 /// from -half to +half.
-inline Vector3 optimal_offset(const Quadric& q, const std::optional<VolumePlane>& volume, const Vector3& half) {
+inline Vector3 optimal_offset(const Quadric& q, const std::optional<VolumePlane>& volume,
+                              const Vector3& half) {
   constexpr double pull = 1e-4;  // relative to the trace, that is to the strongest direction
   const double trace = q.a.trace();
   if (!(trace > 0.0)) return Vector3::Zero();
   const Factorization3 a(q.a.plus_diagonal(pull * trace));
   const Vector3 offset = a.solve(-q.b);
-  const double least = q.value(offset), even = half.dot(q.a * half) + q.c, odd = 2.0 * q.b.dot(half);
+  const double least = q.value(offset), even = half.dot(q.a * half) + q.c,
+               odd = 2.0 * q.b.dot(half);
   if (even - odd < least) return -half;  // a corner: only the pull moved the minimum off it
   if (even + odd < least) return half;
   if (!volume) return offset;

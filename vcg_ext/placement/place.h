@@ -27,7 +27,8 @@ inline Placed place_endpoint_or_midpoint(const Quadric& q, const Vector3& half) 
   return q.c < q.value(end.offset) ? place_at(half, 0.5) : end;
 }
 
-inline Placed place_optimal(const Quadric& q, const Vector3& half, const std::optional<VolumePlane>& volume) {
+inline Placed place_optimal(const Quadric& q, const Vector3& half,
+                            const std::optional<VolumePlane>& volume) {
   const Vector3 offset = optimal_offset(q, volume, half);
   return {offset, parameter_along(half, offset)};
 }

@@ -41,7 +41,8 @@ class EdgeQueue {
   void offer(Edge edge, const Priority& priority) {
     if (!heap_.contains(edge.a)) return set(edge, priority);
     const IndexedHeap::Entry& known = heap_.entry(edge.a);
-    if (std::tie(priority.cost, priority.length2, edge.b) < std::tie(known.key, known.tie, partner_[edge.a]))
+    if (std::tie(priority.cost, priority.length2, edge.b) <
+        std::tie(known.key, known.tie, partner_[edge.a]))
       set(edge, priority);
   }
 

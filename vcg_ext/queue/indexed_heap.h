@@ -7,8 +7,8 @@
 
 namespace curvdecim {
 
-/// 4-ary minimum heap of (key, tie, index) with at most one entry per index; equal keys leave in the
-/// order of the tie, then of the index, so that the sequence does not depend on the history.
+/// 4-ary minimum heap of (key, tie, index) with at most one entry per index; equal keys leave in
+/// the order of the tie, then of the index, so that the sequence does not depend on the history.
 class IndexedHeap {
  public:
   struct Entry {
