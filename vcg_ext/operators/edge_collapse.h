@@ -7,12 +7,8 @@
 #include <tuple>
 #include <vector>
 
+#include "vcg_ext/guard/collapse_guards.h"
 #include "vcg_ext/guard/collapse_rule.h"
-#include "vcg_ext/guard/error_bound.h"
-#include "vcg_ext/guard/link_condition.h"
-#include "vcg_ext/guard/normal_flip.h"
-#include "vcg_ext/guard/triangle_after.h"
-#include "vcg_ext/guard/triangle_shape.h"
 #include "vcg_ext/operators/collapse_observer.h"
 #include "vcg_ext/operators/stop_criterion.h"
 #include "vcg_ext/parallel.h"
@@ -51,14 +47,8 @@ class EdgeCollapse {
         around_(mesh.connectivity.vertex_slots()),
         marks_(mesh.connectivity.vertex_slots()),
         rule_(mesh, params),
-        bound_(mesh, params.max_error),
-        rest_(mesh.connectivity.vertex_slots(), 0),
-        input_normal_(mesh.plane.size()),
-        cos_normal_(params.preserve_normal
-                        ? std::cos(params.normal_angle * (M_PI / 180.0)) + normal_margin
-                        : -1.0) {
-    for (std::size_t f = 0; f < input_normal_.size(); ++f) input_normal_[f] = mesh.plane[f].normal;
-  }
+        guards_(mesh, params),
+        rest_(mesh.connectivity.vertex_slots(), 0) {}
 
   void add_observer(CollapseObserver& observer) { observers_.push_back(&observer); }
 
@@ -73,7 +63,7 @@ class EdgeCollapse {
       report.stopped_by = empty_queue(progress);
     } while (report.stopped_by == StopReason::NothingLeft &&
              mesh_.connectivity.face_count() < before);
-    report.max_error = bound_.largest();
+    report.max_error = guards_.largest_error();
     if (report.stopped_by == StopReason::NothingLeft && rejected(Rejection::ErrorBound) > 0)
       report.stopped_by = StopReason::ErrorBound;
   }
@@ -93,7 +83,7 @@ class EdgeCollapse {
         continue;
       }
       around_.gather(mesh_.connectivity, edge);
-      if (const auto reason = refusal(*candidate)) {
+      if (const auto reason = guards_.refusal(around_, candidate->position)) {
         ++rejected(*reason);
         queue_next_best(edge.a);
         continue;
@@ -159,29 +149,10 @@ class EdgeCollapse {
     }
     for (const Option& option : options_) {
       around_.gather(mesh_.connectivity, {v, option.partner});
-      if (!refusal(*evaluate(around_.edge()))) return queue_.set(around_.edge(), option.priority);
+      if (!guards_.refusal(around_, evaluate(around_.edge())->position))
+        return queue_.set(around_.edge(), option.priority);
     }
     queue_.remove(v);
-  }
-
-  // --- guards -----------------------------------------------------------------------------------
-
-  std::optional<Rejection> refusal(const Candidate& candidate) {
-    if (params_.preserve_topology && !satisfies_link_condition(mesh_, around_))
-      return Rejection::LinkCondition;
-    for (int f : around_.star()) {
-      const Triangle triangle = triangle_after(mesh_, f, around_.edge(), candidate.position);
-      const FacePlane after = face_plane(triangle);
-      if (turns_too_far(mesh_.plane[f].normal, after, cos_normal_) ||
-          turns_too_far(input_normal_[f], after, cos_normal_))
-        return Rejection::NormalFlip;
-      if (spoils_shape(mesh_.triangle(f), mesh_.plane[f].area, triangle, after.area,
-                       least_shape_quality))
-        return Rejection::TriangleShape;
-    }
-    if (bound_.active() && !bound_.allows(bound_.after(mesh_, around_, candidate.position)))
-      return Rejection::ErrorBound;
-    return std::nullopt;
   }
 
   std::int64_t& rejected(Rejection reason) {
@@ -201,7 +172,7 @@ class EdgeCollapse {
                         mesh_.position[gone],
                         candidate.position,
                         keep_b ? 1.0 - candidate.t : candidate.t};
-    if (bound_.active()) bound_.set(around_, bound_.after(mesh_, around_, candidate.position));
+    guards_.accept(around_, candidate.position);
     metric_.release(around_);
     for (CollapseObserver* observer : observers_) observer->before(mesh_, around_, done);
     mesh_.position[keep] = candidate.position;
@@ -262,12 +233,8 @@ class EdgeCollapse {
   }
 
   static constexpr int steps_per_progress = 1024;  // a few milliseconds
-  static constexpr int hub = 64;  // a valence well above those of meshes made for any purpose
-  static constexpr int hub_rest =
-      8;  // a refused hub is asked again when an eighth of it has changed
-  static constexpr double normal_margin =
-      0.05;  // of a cosine: two faces on the limit could lie back to back
-  static constexpr double least_shape_quality = 0.01;  // a needle of 1 : 100
+  static constexpr int hub = 64;      // a valence well above those of meshes made for any purpose
+  static constexpr int hub_rest = 8;  // a refused hub is asked again after an eighth has changed
 
   WorkingMesh& mesh_;
   MetricType& metric_;
@@ -278,11 +245,8 @@ class EdgeCollapse {
   EdgeNeighborhood around_;
   VertexMarks marks_;
   const CollapseRule rule_;
-  ErrorBound bound_;
-  std::vector<int> rest_;              // by vertex: new edges still to be passed over
-  std::vector<Vector3> input_normal_;  // by face: turns are counted from here, so that many small
-                                       // ones cannot flip it
-  const double cos_normal_;
+  CollapseGuards guards_;
+  std::vector<int> rest_;  // by vertex: new edges still to be passed over
   std::vector<int> ring_;
   std::vector<Option> options_;
   std::vector<CollapseObserver*> observers_;

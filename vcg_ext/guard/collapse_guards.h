@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "vcg_ext/guard/error_bound.h"
+#include "vcg_ext/guard/link_condition.h"
+#include "vcg_ext/guard/normal_flip.h"
+#include "vcg_ext/guard/triangle_after.h"
+#include "vcg_ext/guard/triangle_shape.h"
+#include "vcg_ext/params.h"
+#include "vcg_ext/report.h"
+
+namespace curvdecim {
+
+/// All that may refuse a collapse once its kinds allow it: the cheap guards first.
+class CollapseGuards {
+ public:
+  CollapseGuards(const WorkingMesh& mesh, const DecimationParams& params)
+      : mesh_(mesh),
+        preserve_topology_(params.preserve_topology),
+        cos_normal_(params.preserve_normal ? limit(params.normal_angle) : -1.0),
+        bound_(mesh, params.max_error) {
+    for (const FacePlane& plane : mesh.plane) input_normal_.push_back(plane.normal);
+  }
+
+  /// Why the edge may not collapse to x; nullopt: it may.
+  std::optional<Rejection> refusal(const EdgeNeighborhood& around, const Vector3& x) {
+    if (preserve_topology_ && !satisfies_link_condition(mesh_, around))
+      return Rejection::LinkCondition;
+    for (int f : around.star())
+      if (const auto reason = refusal_of_face(f, triangle_after(mesh_, f, around.edge(), x)))
+        return reason;
+    if (bound_.active() && !bound_.allows(bound_.after(mesh_, around, x)))
+      return Rejection::ErrorBound;
+    return std::nullopt;
+  }
+
+  /// To be told of every collapse just before it is done.
+  void accept(const EdgeNeighborhood& around, const Vector3& x) {
+    if (bound_.active()) bound_.set(around, bound_.after(mesh_, around, x));
+  }
+
+  /// The guaranteed bound, in the unit of the working mesh; 0 without one.
+  double largest_error() const { return bound_.largest(); }
+
+ private:
+  static constexpr double least_shape_quality = 0.01;  // a needle of 1 : 100
+  static constexpr double margin = 0.05;  // two faces on the very limit could lie back to back
+
+  static double limit(double degrees) { return std::cos(degrees * (M_PI / 180.0)) + margin; }
+
+  /// Turns are counted from the current normal and from the input's, so that many small ones cannot
+  /// flip a face.
+  std::optional<Rejection> refusal_of_face(int f, const Triangle& triangle) const {
+    const FacePlane& before = mesh_.plane[f];
+    const FacePlane after = face_plane(triangle);
+    if (turns_too_far(before.normal, after, cos_normal_) ||
+        turns_too_far(input_normal_[f], after, cos_normal_))
+      return Rejection::NormalFlip;
+    if (spoils_shape(mesh_.triangle(f), before.area, triangle, after.area, least_shape_quality))
+      return Rejection::TriangleShape;
+    return std::nullopt;
+  }
+
+  const WorkingMesh& mesh_;
+  const bool preserve_topology_;
+  const double cos_normal_;
+  std::vector<Vector3> input_normal_;  // by face
+  ErrorBound bound_;
+};
+
+}  // namespace curvdecim
