@@ -38,7 +38,7 @@ DecimationReport decimate_edge_collapse(MeshType& mesh, const EdgeCollapseParams
   params.max_error /= snapshot.diagonal;
   DecimationReport report = initial_report(mesh);
   if (const auto stop = set_up(mesh, params, snapshot, report)) {
-    BlendRecord blend;
+    BlendRecord blend(has_varying_attributes(mesh, snapshot));
     std::optional<WedgeTexture> wedges = read_wedges(mesh, snapshot);
     note_attributes(mesh, snapshot, wedges, report);
     const Parallel parallel(params.threads, [&] { check_cancelled(progress); });

@@ -20,14 +20,32 @@ struct BlendStep {
 
 /// Notes for every collapse where, on the surface just before it, the merged vertex takes its
 /// attributes from: the nearest point of the faces around the edge. An attribute that is affine in
-/// position is so carried over the surface and not only along the edge.
+/// position is so carried over the surface and not only along the edge. Where no attribute but the
+/// normal varies, the nearest point of the edge will do.
 class BlendRecord : public CollapseObserver {
  public:
+  explicit BlendRecord(bool over_surface = true) : over_surface_(over_surface) {}
+
   void before(const WorkingMesh& mesh, const EdgeNeighborhood& around,
               const Collapse& collapse) override {
     if (collapse.now == collapse.keep_was) return;
+    steps_.push_back(over_surface_ ? nearest_on_surface(mesh, around, collapse)
+                                   : on_edge(collapse));
+  }
+
+  const std::vector<BlendStep>& steps() const { return steps_; }
+
+ private:
+  static BlendStep on_edge(const Collapse& collapse) {
+    return {collapse.keep,
+            {collapse.keep, collapse.gone, collapse.gone},
+            {1.0 - collapse.t, collapse.t, 0.0}};
+  }
+
+  static BlendStep nearest_on_surface(const WorkingMesh& mesh, const EdgeNeighborhood& around,
+                                      const Collapse& collapse) {
     const Vector3& x = collapse.now;
-    BlendStep nearest{collapse.keep, {}, {}};
+    BlendStep nearest = on_edge(collapse);
     double least = std::numeric_limits<double>::infinity();
     for (const auto* faces : {&around.wings(), &around.star()})
       for (int f : *faces) {
@@ -39,12 +57,10 @@ class BlendRecord : public CollapseObserver {
         if (distance2 < least)
           least = distance2, nearest = {collapse.keep, mesh.connectivity.face(f), weight};
       }
-    steps_.push_back(nearest);
+    return nearest;
   }
 
-  const std::vector<BlendStep>& steps() const { return steps_; }
-
- private:
+  bool over_surface_;
   std::vector<BlendStep> steps_;
 };
 

@@ -3,6 +3,7 @@
 
 #include <vcg/complex/complex.h>
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -36,6 +37,20 @@ inline bool has_seams(const WorkingMesh& mesh, const WedgeTexture& wedges) {
       if (!(*known == wedges.of_face(f)[i])) return true;
     }
   return false;
+}
+
+/// True if a vertex attribute other than the normal differs from vertex to vertex.
+template <class MeshType>
+bool has_varying_attributes(const MeshType& mesh, const Snapshot& snapshot) {
+  const auto& first = mesh.vert[snapshot.vertex_of[0]];
+  const auto differs = [&](int i) {
+    const auto& v = mesh.vert[i];
+    return (vcg::tri::HasPerVertexColor(mesh) && v.cC() != first.cC()) ||
+           (vcg::tri::HasPerVertexQuality(mesh) && v.cQ() != first.cQ()) ||
+           (vcg::tri::HasPerVertexRadius(mesh) && v.cR() != first.cR()) ||
+           (vcg::tri::HasPerVertexTexCoord(mesh) && !(v.cT() == first.cT()));
+  };
+  return std::any_of(snapshot.vertex_of.begin(), snapshot.vertex_of.end(), differs);
 }
 
 /// What is not carried in full.
