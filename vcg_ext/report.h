@@ -21,10 +21,10 @@ inline const char* to_string(StopReason reason) {
 }
 
 /// Why a guard refused a collapse.
-enum class Rejection { LinkCondition, VertexKind, NormalFlip, TriangleShape, ErrorBound };
+enum class Rejection { LinkCondition, NormalFlip, TriangleShape, ErrorBound };
 
-inline constexpr std::array<const char*, 5> rejection_names = {
-    "link_condition", "vertex_kind", "normal_flip", "triangle_shape", "error_bound"};
+inline constexpr std::array<const char*, 4> rejection_names = {
+    "link_condition", "normal_flip", "triangle_shape", "error_bound"};
 
 struct DecimationReport {
   std::int64_t faces_before = 0, faces = 0;

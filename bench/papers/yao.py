@@ -10,12 +10,12 @@ What differs from the paper: its bones (4,204 faces) and person (32,574 faces) a
 PyMeshLab's bone goes to the same fractions as the paper's bones, the bunny to the fraction of its
 person; the cow is the paper's, 5,804 to 1,482 faces. The horse is added where ../shared/meshes has
 it. The numbers of the paper's Table 1 and its lambda are not in the text we have. Ours is for a
-mesh of diagonal 1. The printed curvature term can be read in two ways, and both are run. Planes of
-unit weight, as in the paper, soon outweigh the added term; planes weighted by area do not. The
-maximum counts samples and vertices, both directions.
+mesh of diagonal 1, in planes: where planes weigh by area, so does the term. The printed curvature
+term can be read in two ways, and both are run. The maximum counts samples and vertices, both
+directions.
 
-Ends with 1 when the reading "Melax" does not lower the maximum on the paper's own case, the cow, in
-the paper's settings, or in the geometric mean of all cases with planes weighted by area.
+Ends with 1 when the reading "Melax" at lambda = 0.001 does not lower the maximum in the paper's
+settings, on the paper's own case, the cow, or in the geometric mean of all cases.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ from judge import Figures
 from meshes import REPOSITORY, shared_folder, shipped
 from models import Model
 
-LAMBDAS = (1e-3, 1e-5)  # of a mesh of diagonal 1
+LAMBDAS = (1e-3, 1e-2)  # of a mesh of diagonal 1
 SHIPPED = ("bone.ply", "cow.obj", "bunny.obj")
 TERMS = ("Melax", "Literal")
 BONES_FRACTIONS = (2972 / 4204, 1560 / 4204, 786 / 4204)
@@ -82,12 +82,7 @@ def run_name(term: str, weight: float) -> str:
 
 
 RUNS = [run_name(term, weight) for term in TERMS for weight in LAMBDAS]
-# The run that each setting is judged by: the weight that balances the planes' weights.
-JUDGED = {
-    PAPER: run_name("Melax", 1e-3),
-    PAPER_BY_AREA: run_name("Melax", 1e-5),
-    OURS: run_name("Melax", 1e-5),
-}
+JUDGED = run_name("Melax", 1e-3)  # the filter's defaults
 
 
 def contenders(plugin: Path, settings: dict) -> list[Decimator]:
@@ -160,9 +155,8 @@ def geometric_means(done: Sequence[Case], settings: str, run: str) -> np.ndarray
 def lowers_the_maximum(done: Sequence[Case]) -> bool:
     """The claim, as this file's head states it."""
     cow = next(case for case in done if case.model.name == "cow")
-    on_the_cow, _, _ = cow.ratios(PAPER, JUDGED[PAPER])
-    means = [geometric_means(done, each, JUDGED[each])[0] for each in (PAPER_BY_AREA, OURS)]
-    return max(on_the_cow, *means) < 1
+    on_the_cow, _, _ = cow.ratios(PAPER, JUDGED)
+    return max(on_the_cow, geometric_means(done, PAPER, JUDGED)[0]) < 1
 
 
 def main() -> int:
@@ -174,7 +168,7 @@ def main() -> int:
     except FilterError as failure:
         console.print(f"failed: {failure}", markup=False)
         return 1
-    shown = [error_table(settings, run, done) for settings, run in JUDGED.items()]
+    shown = [error_table(settings, JUDGED, done) for settings in SETTINGS]
     shown.append(summary_table(done))
     for each in shown:
         console.print(each)

@@ -69,6 +69,15 @@ inline int target_faces(const DecimationParams& params, int candidates) {
   return params.target_faces == DecimationParams::no_target ? 0 : params.target_faces;
 }
 
+/// Border vertices that lie where another one lies: faces that were never joined. Vertices are in the
+/// order of a space-filling curve, so that coincident ones are neighbours.
+inline int count_coincident_borders(const WorkingMesh& mesh) {
+  int count = 0;
+  for (std::size_t v = 1; v < mesh.position.size(); ++v)
+    count += mesh.kind[v] == VertexKind::Boundary && mesh.position[v] == mesh.position[v - 1];
+  return count;
+}
+
 inline void note_repairs(const Snapshot& snapshot, DecimationReport& report) {
   if (!snapshot.unusable.empty())
     report.notes.push_back("Removed " + std::to_string(snapshot.unusable.size()) +
@@ -79,6 +88,10 @@ inline void note_repairs(const Snapshot& snapshot, DecimationReport& report) {
   if (non_manifold > 0)
     report.notes.push_back(std::to_string(non_manifold) +
                            " vertices are non-manifold; there will not be more.");
+  if (const int coincident = count_coincident_borders(snapshot.mesh); coincident > 0)
+    report.notes.push_back(std::to_string(coincident) +
+                           " border vertices lie where another one lies. Such seams do not close and "
+                           "hinder decimation; merge close vertices first.");
 }
 
 inline void require_target(const DecimationParams& params) {
