@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include <vcg/complex/algorithms/update/normal.h>
-
 #include "filter_curvdecim/rich_parameters.h"
 #include "vcg_ext/errors.h"
 
@@ -34,7 +32,6 @@ Progress progress_of(vcg::CallBackPos* callback) {
 /// Brings up to date what the host keeps about a mesh beside the mesh.
 void refresh(MeshModel& mesh) {
   mesh.clearDataMask(MeshModel::MM_FACEFACETOPO | MeshModel::MM_VERTFACETOPO);
-  vcg::tri::UpdateNormal<CMeshO>::PerFaceNormalized(mesh.cm);
   mesh.cm.sfn = count_selected(mesh.cm.face);
   mesh.cm.svn = count_selected(mesh.cm.vert);
 }

@@ -78,10 +78,10 @@ std::string describe(const Range& range, const std::string& unit) {
   return text.empty() ? text : with_unit(text, unit);
 }
 
-std::string full_help(const Parameter& parameter) {
-  std::string html = parameter.help;
+std::string dialog_help(const Parameter& parameter) {
+  std::string html = parameter.hint;
   for (const EnumValue& value : parameter.values)
-    html += "<br><b>" + value.name + "</b>: " + value.meaning + ".";
+    html += (html.empty() ? "<b>" : "<br><b>") + value.name + "</b>: " + value.hint;
   return html;
 }
 

@@ -30,6 +30,7 @@ struct Range {
 
 struct EnumValue {
   std::string name;
+  std::string hint;  ///< the meaning in a few words, for the dialog
   std::string meaning;
 };
 
@@ -49,7 +50,8 @@ struct Parameter {
   Kind kind;
   Range range;
   std::string unit;
-  std::string help;  ///< HTML
+  std::string help;  ///< HTML, for the documentation
+  std::string hint;  ///< for the dialog, which cuts longer texts off; may be empty for an Enum
   std::vector<EnumValue> values;
   std::vector<Binding> bindings;
   MeshDefault mesh_default = MeshDefault::None;
@@ -76,8 +78,8 @@ void assign(Settings& settings, FilterId filter, const Parameter& parameter, con
 /// "above 0 and at most 180 degrees"; empty when every finite number is allowed.
 std::string describe(const Range& range, const std::string& unit);
 
-/// The help text and the meaning of the enum values, in HTML.
-std::string full_help(const Parameter& parameter);
+/// The hint, or those of the enum values on a line each, in HTML.
+std::string dialog_help(const Parameter& parameter);
 
 /// The shortest decimal number that reads back as this one.
 std::string decimal(double number);

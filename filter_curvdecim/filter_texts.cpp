@@ -38,12 +38,9 @@ std::string bibliography(std::initializer_list<Reference> references) {
 }
 
 const char* const edge_collapse_info =
-    "Collapse the edges of a triangle mesh, cheapest first, and spend the faces that remain where "
-    "the surface is curved. The cost of an edge is its quadric error (Garland and Heckbert), times "
-    "a factor that grows with the curvature (Pellizzoni and Savio) or plus a term that grows with "
-    "the bend at the edge (Yao and others). A closed manifold stays one; borders and sharp edges "
-    "are kept. The log says what was done. <i>Curvature Importance</i> shows what a setting "
-    "protects.";
+    "Collapse edges, cheapest first, and spend the faces that remain where the surface is curved. "
+    "A closed manifold stays one; borders and sharp edges are kept. <i>Curvature Importance</i> "
+    "shows what a setting protects. The log says what was done.";
 
 const char* const importance_info =
     "Write to the quality of every vertex, and show as colour, what the metric CurvatureWeighted "

@@ -49,7 +49,7 @@ std::vector<Binding> curvature() {
           bind<&Settings::importance, member>(FilterId::CurvatureImportance)};
 }
 
-// A row reads best as name, help, values, binding.
+// A row reads best as name, help, hint, values, binding.
 // clang-format off
 std::vector<Parameter> target_rows() {
   return {
@@ -57,20 +57,24 @@ std::vector<Parameter> target_rows() {
        "Stop at this many faces; with <i>Simplify only selected faces</i>, at this many selected "
        "faces. A last collapse removes two faces at once, so the result may have one face less. "
        "0: as few as the other parameters allow, for example up to <i>Maximum error</i>.",
+       "Stop at this many faces (selected faces, if only those may change).",
        {}, decimation<&DecimationParams::target_faces>(), MeshDefault::HalfOfFaces},
       {"TargetPerc", "Fraction of the faces (0..1; 0: not used)", Kind::Float, fraction, "",
        "0.2 keeps a fifth of the faces, of the selected ones with <i>Simplify only selected "
        "faces</i>. 0: not used; otherwise it wins over <i>Target number of faces</i>.",
+       "0.2 keeps a fifth of the faces. Wins over the number of faces.",
        {}, decimation<&DecimationParams::target_fraction>()},
       {"TargetVertNum", "Target number of vertices (0: not used)",
        Kind::Int, at_least(0), "vertices",
        "Stop at this many vertices of the whole mesh. 0: not used; otherwise it wins over "
        "<i>Target number of faces</i>.",
+       "Stop at this many vertices. Wins over the number of faces.",
        {}, decimation<&DecimationParams::target_vertices>()},
       {"MaxError", "Maximum error (0: no bound)", Kind::Length, at_least(0), "in the mesh's unit",
        "No point of the result is further from the original surface than this, and no point of "
        "the original further from the result. Given as a length or as per cent of the bounding "
        "box's diagonal. Together with a target, whichever comes first stops. 0: no bound.",
+       "No point of either surface is further than this from the other.",
        {}, decimation<&DecimationParams::max_error>()},
   };
 }
@@ -78,19 +82,21 @@ std::vector<Parameter> target_rows() {
 std::vector<Parameter> metric_rows() {
   return {
       {"Preset", "Preset", Kind::Enum, any, "",
-       "Speed against quality, as a named setting of the parameters <i>Quadrics</i>, <i>Weight of "
-       "a plane</i>, <i>Placement</i>. The metric and its weights stay as given.",
-       {{"Fast", "the least time"},
-        {"Balanced", "low error at a fraction of the time of Best"},
-        {"Best", "the lowest error, whatever time it takes"},
-        {"Custom", "every parameter as given below"}},
+       "Speed against quality, as a named setting of <i>Quadrics</i>, <i>Weight of a plane</i>, "
+       "<i>Placement</i> and <i>Scheduler</i>. The metric and its weights stay as given.", "",
+       {{"Fast", "accumulated quadrics", "accumulated quadrics: the least time"},
+        {"Balanced", "memoryless quadrics", "memoryless quadrics: lower error"},
+        {"Best", "slower, slightly lower error",
+         "the same, with every edge around kept up to date: slower, slightly lower error"},
+        {"Custom", "all as given below", "every parameter as given below"}},
        {edge_collapse<&EdgeCollapseParams::preset>()}},
       {"Metric", "Cost of an edge", Kind::Enum, any, "",
-       "What decides which edge is collapsed next.",
-       {{"Quadric", "squared distance to the planes of the faces around (Garland and Heckbert)"},
-        {"CurvatureWeighted",
+       "What decides which edge is collapsed next.", "",
+       {{"Quadric", "plain error",
+         "squared distance to the planes of the faces around (Garland and Heckbert)"},
+        {"CurvatureWeighted", "times curvature",
          "the same, times a factor that grows with the curvature (Pellizzoni and Savio)"},
-        {"CurvatureAdditive",
+        {"CurvatureAdditive", "plus the bend",
          "the same, plus a term that grows with the bend at the edge (Yao and others)"}},
        {edge_collapse<&EdgeCollapseParams::metric>()}},
   };
@@ -103,64 +109,80 @@ std::vector<Parameter> curvature_rows() {
        "curvature and F the <i>Factor of flat places</i>. A small alpha protects only the most "
        "curved places; a large one brings the factor to 1 everywhere. 0 or less: infinite, that "
        "is plain quadrics.",
+       "Small protects only the most curved places; 0 or less: plain quadrics.",
        {}, curvature<&CurvatureParams::alpha>()},
       {"CurvatureFloor", "Factor of flat places", Kind::Float, fraction, "",
        "F in the formula of <i>Curvature weight</i>: the factor where the curvature is 0, with "
        "the unit ScaleFree. Lower spends more triangles on curved places and fewer on flat ones; "
        "1 is plain quadrics. With ModelUnits it is 0, as in the paper.",
+       "Lower spends more faces on curved places; 1 is plain quadrics.",
        {}, curvature<&CurvatureParams::curvature_floor>()},
       {"AlphaUnits", "Unit of the curvature in alpha", Kind::Enum, any, "",
        "Choose ModelUnits only to repeat published figures: the effect of an alpha then depends "
-       "on the size of the model.",
-       {{"ScaleFree",
+       "on the size of the model.", "",
+       {{"ScaleFree", "the mesh's mean is 1",
          "curvature 1 is the mean over the mesh, so that an alpha means the same at every size"},
-        {"ModelUnits", "the model's own unit of length, as in the paper"}},
+        {"ModelUnits", "as in the paper", "the model's own unit of length, as in the paper"}},
        curvature<&CurvatureParams::alpha_units>()},
       {"CurvatureKind", "Kind of curvature", Kind::Enum, any, "",
        "Choose Gaussian for the metric as published; it is blind to cylinders and straight ridges.",
-       {{"Gaussian", "|K| from the angles around a vertex, in 1/length&sup2;"},
-        {"Absolute", "|k1| + |k2| of the principal curvatures, in 1/length"}},
+       "",
+       {{"Gaussian", "as in the paper", "|K| from the angles around a vertex, in 1/length&sup2;"},
+        {"Absolute", "also sees cylinders",
+         "|k1| + |k2| of the principal curvatures, in 1/length"}},
        curvature<&CurvatureParams::curvature_kind>()},
       {"Output", "Value to show", Kind::Enum, any, "",
-       "What is written to the quality of the vertices.",
-       {{"Curvature", "the curvature itself, in the model's unit of length"},
-        {"Factor", "the factor on the cost, 0 to 1"}},
+       "What is written to the quality of the vertices.", "",
+       {{"Curvature", "in the model's unit", "the curvature itself, in the model's unit of length"},
+        {"Factor", "on the cost, 0 to 1", "the factor on the cost, 0 to 1"}},
        {bind<&Settings::importance, &ImportanceParams::as_factor, int>(
            FilterId::CurvatureImportance)}},
       {"Lambda", "Weight of the additive term (lambda)", Kind::Float, at_least(0), "",
        "CurvatureAdditive adds lambda times the bend at the edge to the cost, with lengths "
        "relative to the bounding box's diagonal. More lowers the largest error and raises the "
        "mean one a little. 0 is plain quadrics.",
+       "Weight of the bend at the edge; 0 is plain quadrics.",
        {}, {edge_collapse<&EdgeCollapseParams::lambda>()}},
       {"CurvatureTerm", "Reading of the additive term", Kind::Enum, any, "",
-       "The printed formula has two readings; only CurvatureAdditive uses it.",
-       {{"Melax",
+       "The printed formula has two readings; only CurvatureAdditive uses it.", "",
+       {{"Melax", "turn of the faces around",
          "edge length times the largest turn from the edge's own faces to a face around: the "
          "intent"},
-        {"Literal", "the formula as printed, which amounts to the edge length"}},
+        {"Literal", "the formula as printed",
+         "the formula as printed, which amounts to the edge length"}},
        {edge_collapse<&EdgeCollapseParams::curvature_term>()}},
   };
 }
 
 std::vector<Parameter> custom_rows() {
   return {
-      {"Quadrics", "Quadrics", Kind::Enum, any, "",
-       "Used with the preset Custom.",
-       {{"Memoryless", "computed from the current mesh: lower error (Lindstrom and Turk)"},
-        {"Accumulated", "summed up along the collapses: faster (Garland and Heckbert)"}},
+      {"Quadrics", "Quadrics (preset Custom)", Kind::Enum, any, "",
+       "Used with the preset Custom.", "",
+       {{"Memoryless", "lower error",
+         "computed from the current mesh: lower error (Lindstrom and Turk)"},
+        {"Accumulated", "faster", "summed up along the collapses: faster (Garland and Heckbert)"}},
        {edge_collapse<&EdgeCollapseParams::quadrics>()}},
-      {"PlaneWeight", "Weight of a plane", Kind::Enum, any, "",
-       "Used with the preset Custom.",
-       {{"Area", "a plane counts by the area of its face: independent of the tessellation"},
-        {"Unit", "every plane counts 1, as in the papers"}},
+      {"PlaneWeight", "Weight of a plane (preset Custom)", Kind::Enum, any, "",
+       "Used with the preset Custom.", "",
+       {{"Area", "by the area of the face",
+         "a plane counts by the area of its face: independent of the tessellation"},
+        {"Unit", "all alike, as in the papers", "every plane counts 1, as in the papers"}},
        {edge_collapse<&EdgeCollapseParams::plane_weight>()}},
-      {"Placement", "Placement of the new vertex", Kind::Enum, any, "",
-       "Used with the preset Custom.",
-       {{"Optimal", "where the quadric error is least"},
-        {"Line", "where it is least on the edge"},
-        {"EndpointOrMidpoint", "the best of both ends and the midpoint"},
-        {"HalfEdge", "the better end: the result has original vertices only"}},
+      {"Placement", "Placement (preset Custom)", Kind::Enum, any, "",
+       "Used with the preset Custom.", "",
+       {{"Optimal", "least error in space", "where the quadric error is least"},
+        {"Line", "least error on the edge", "where it is least on the edge"},
+        {"EndpointOrMidpoint", "best of three", "the best of both ends and the midpoint"},
+        {"HalfEdge", "original vertices only",
+         "the better end: the result has original vertices only"}},
        {edge_collapse<&EdgeCollapseParams::placement>()}},
+      {"Scheduler", "Scheduler (preset Custom)", Kind::Enum, any, "",
+       "Used with the preset Custom.", "",
+       {{"Lazy", "faster",
+         "after a collapse, the costs of the new edges; others when they come up"},
+        {"Eager", "slightly lower error",
+         "the costs of all edges around: slower, slightly lower error"}},
+       {edge_collapse<&EdgeCollapseParams::scheduler>()}},
   };
 }
 
@@ -169,38 +191,47 @@ std::vector<Parameter> guard_rows() {
       {"PreserveBoundary", "Preserve boundary of the mesh", Kind::Bool, any, "",
        "Vertices of open borders stay on the border's curve, and the error along it counts. "
        "Switch off to let borders shrink.",
+       "Open borders stay on their curve.",
        {}, decimation<&DecimationParams::preserve_boundary>()},
       {"BoundaryWeight", "Boundary preserving weight", Kind::Float, at_least(0), "",
        "Weight of borders and sharp edges against the surface, 1 counting both alike. Raise it to "
        "keep more vertices on them.",
+       "Of borders and sharp edges; more keeps more vertices on them.",
        {}, decimation<&DecimationParams::boundary_weight>()},
       {"PreserveNormal", "Preserve normal", Kind::Bool, any, "",
        "Refuse a collapse that turns a face by more than <i>Largest turn of a face</i>. Switch "
        "off only when folded faces do not matter.",
+       "Up to the angle below.",
        {}, decimation<&DecimationParams::preserve_normal>()},
       {"NormalAngle", "Largest turn of a face (degrees)",
        Kind::Float, above_up_to(0, 180), "degrees",
        "Used with <i>Preserve normal</i>. Less keeps the orientation of faces closer and may stop "
        "before the target; above 90 faces may flip.",
+       "Less may stop before the target; above 90 faces may flip.",
        {}, decimation<&DecimationParams::normal_angle>()},
       {"PreserveTopology", "Preserve topology", Kind::Bool, any, "",
        "Refuse a collapse that closes a hole, pinches a handle, joins parts or makes an edge of "
-       "three faces.",
+       "three faces. With <i>Maximum error</i> such a collapse is always refused.",
+       "Keep holes, handles and parts; make no edge of three faces.",
        {}, decimation<&DecimationParams::preserve_topology>()},
       {"FeatureAngle", "Feature angle (degrees; 180: no features)",
        Kind::Float, {0.0, 180.0}, "degrees",
        "An edge between faces whose normals differ by at least this is sharp, and is kept like a "
        "border. 180: no edge is.",
+       "Edges with at least this angle between their faces are kept.",
        {}, decimation<&DecimationParams::feature_angle>()},
       {"Selected", "Simplify only selected faces", Kind::Bool, any, "",
        "The rest of the mesh stays as it is, to the bit. The targets then count selected faces.",
+       "The rest of the mesh stays as it is; targets count selected faces.",
        {}, decimation<&DecimationParams::selected_only>(), MeshDefault::FacesSelected},
       {"QualityWeight", "Weighted simplification", Kind::Bool, any, "",
        "The quality of the vertices multiplies the cost: paint or compute a high quality on what "
        "matters.",
+       "Vertex quality multiplies the cost.",
        {}, decimation<&DecimationParams::quality_weight>()},
       {"Threads", "Number of threads (0: all cores)", Kind::Int, at_least(0), "threads",
        "0: all cores. It never changes the result.",
+       "It never changes the result.",
        {}, decimation<&DecimationParams::threads>()},
   };
 }

@@ -30,7 +30,7 @@ void add_parameter(RichParameterList& list, const Parameter& parameter, const Va
                    double diagonal) {
   const QString name = QString::fromStdString(parameter.name);
   const QString label = QString::fromStdString(parameter.label);
-  const QString help = QString::fromStdString(full_help(parameter));
+  const QString help = QString::fromStdString(dialog_help(parameter));
   // The dialog divides by the diagonal to show per cent.
   const double whole = std::isfinite(diagonal) && diagonal > 0.0 ? diagonal : 1.0;
   switch (parameter.kind) {

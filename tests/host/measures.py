@@ -123,6 +123,14 @@ def sampled_points(shape, count=SAMPLES):
     return np.einsum("ij,ijk->ik", corners, shape.vertices[shape.faces[faces]])
 
 
+def largest_distance(one, other):
+    """Two-sided, from samples all over both surfaces and from their vertices; a length."""
+    points = [np.vstack([sampled_points(each), each.vertices]) for each in (one, other)]
+    there, _, _ = igl.point_mesh_squared_distance(points[0], *other)
+    back, _, _ = igl.point_mesh_squared_distance(points[1], *one)
+    return float(np.sqrt(max(there.max(), back.max())))
+
+
 def rms_distance(one, other):
     """Two-sided, as a fraction of the first surface's diagonal."""
     there, _, _ = igl.point_mesh_squared_distance(sampled_points(one), *other)

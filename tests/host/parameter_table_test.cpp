@@ -50,8 +50,32 @@ TEST(ParameterTable, HasUniqueNamesAndTexts) {
     EXPECT_TRUE(names.insert(parameter.name).second) << parameter.name;
     EXPECT_FALSE(parameter.label.empty()) << parameter.name;
     EXPECT_FALSE(parameter.help.empty()) << parameter.name;
+    EXPECT_FALSE(dialog_help(parameter).empty()) << parameter.name;
     EXPECT_EQ(parameter.kind == Kind::Enum, !parameter.values.empty()) << parameter.name;
     EXPECT_FALSE(parameter.bindings.empty()) << parameter.name;
+  }
+}
+
+/// What a reader sees of the HTML, by lines.
+std::vector<std::string> visible_lines(const std::string& html) {
+  std::vector<std::string> lines(1);
+  for (std::size_t i = 0; i < html.size(); ++i) {
+    if (html.compare(i, 4, "<br>") == 0) lines.emplace_back();
+    if (html[i] == '<')
+      i = html.find('>', i);
+    else
+      lines.back() += html[i];
+  }
+  return lines;
+}
+
+/// MeshLab 2020.09 gives a text that it breaks itself less height than it takes, but for two lines.
+TEST(ParameterTable, TextsFitTheDialog) {
+  constexpr std::size_t characters_a_line = 36;
+  for (const Parameter& parameter : parameter_table()) {
+    const auto lines = visible_lines(dialog_help(parameter));
+    for (const std::string& line : lines)
+      EXPECT_LE(line.size(), (lines.size() == 1 ? 2 : 1) * characters_a_line) << line;
   }
 }
 
@@ -99,6 +123,8 @@ TEST(ParameterTable, EnumValuesAreInTheOrderOfTheCore) {
   EXPECT_EQ(choosing("Placement", "EndpointOrMidpoint").edge_collapse.placement,
             Placement::EndpointOrMidpoint);
   EXPECT_EQ(choosing("Placement", "HalfEdge").edge_collapse.placement, Placement::HalfEdge);
+  EXPECT_EQ(choosing("Scheduler", "Lazy").edge_collapse.scheduler, Scheduler::Lazy);
+  EXPECT_EQ(choosing("Scheduler", "Eager").edge_collapse.scheduler, Scheduler::Eager);
   EXPECT_FALSE(choosing("Output", "Curvature", importance).importance.as_factor);
   EXPECT_TRUE(choosing("Output", "Factor", importance).importance.as_factor);
 }

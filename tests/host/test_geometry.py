@@ -1,9 +1,17 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The default decimation of real meshes: count, topology, orientation and distance."""
 
+import pymeshlab
 import pytest
-from measures import flipped_faces, folded_edges, rms_distance, surface, topology
-from samples import decimated, load, original
+from measures import (
+    flipped_faces,
+    folded_edges,
+    largest_distance,
+    rms_distance,
+    surface,
+    topology,
+)
+from samples import DECIMATE, decimated, load, original
 
 # MeshLab's filter takes the last call's values where none are given.
 MESHLAB_DEFAULTS = {
@@ -73,3 +81,18 @@ def test_nearer_than_meshlabs_own_filter(name, fraction):
     )
     ours = rms_distance(original(name), decimated(name, fraction)[0])
     assert 0 < ours < rms_distance(original(name), surface(meshes))
+
+
+@pytest.mark.parametrize("name", ["cow.obj", "bone.ply", "airplane.obj", "greek_helmet.obj"])
+@pytest.mark.parametrize("fraction", [0.001, 0.01])
+@pytest.mark.parametrize("preset", ["Fast", "Balanced"])
+def test_maximum_error_is_a_promise(name, fraction, preset):
+    before, meshes = original(name), load(name)
+    bound = fraction * before.diagonal
+    report = meshes.apply_filter(
+        DECIMATE, targetfacenum=0, maxerror=pymeshlab.PureValue(bound), preset=preset
+    )
+    after = surface(meshes)
+    assert len(after.faces) < len(before.faces)
+    assert largest_distance(before, after) <= report["max_error"] * (1 + 1e-9)
+    assert report["max_error"] <= bound * (1 + 1e-6)  # a host hands it over as float

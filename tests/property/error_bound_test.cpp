@@ -42,6 +42,52 @@ INSTANTIATE_TEST_SUITE_P(Drawn, ErrorBoundOn,
                                          NamedShape{"saddle", saddle(12)}),
                          name_of);
 
+// --- all over the surfaces, where only the interior of a face may be far ------------------------
+
+/// Promised: nothing between the two surfaces is wider than the bound that is reported.
+void expect_promise_kept(const Shape& before, double fraction) {
+  EdgeCollapseParams params;
+  params.max_error = fraction * diagonal(before);
+  for (Metric metric : {Metric::Quadric, Metric::CurvatureWeighted, Metric::CurvatureAdditive})
+    for (Preset preset : {Preset::Fast, Preset::Balanced, Preset::Best}) {
+      SCOPED_TRACE(static_cast<int>(metric) * 10 + static_cast<int>(preset));
+      params.metric = metric, params.preset = preset;
+      const auto [after, report] = decimated(before, params);
+      EXPECT_LT(after.face_count(), before.face_count());
+      EXPECT_LE(sampled_distance(before, after), report.max_error * (1.0 + 1e-9));
+      EXPECT_LE(report.max_error, params.max_error);
+    }
+}
+
+class ErrorBoundAllOver : public testing::TestWithParam<NamedShape> {};
+
+TEST_P(ErrorBoundAllOver, IsKept) {
+  for (double fraction : {2e-3, 2e-2}) expect_promise_kept(GetParam().shape, fraction);
+}
+
+INSTANTIATE_TEST_SUITE_P(Drawn, ErrorBoundAllOver,
+                         testing::Values(NamedShape{"bumpy_sphere", bumpy_sphere(3)},
+                                         NamedShape{"noisy_sphere", noisy_sphere(2, 0.05)},
+                                         NamedShape{"saddle", saddle(16)},
+                                         NamedShape{"open_cylinder", open_cylinder(24, 8)},
+                                         NamedShape{"annulus", annulus(32, 4)},
+                                         NamedShape{"small_holes", grid_with_small_holes(12)},
+                                         NamedShape{"moebius_strip", moebius_strip(30, 6)},
+                                         NamedShape{"three_pages", book(3, 8)},
+                                         NamedShape{"two_components", large_and_small_sphere()}),
+                         name_of);
+
+TEST(ErrorBound, IsKeptWithoutTheGuardsToo) {
+  for (const Shape& before : {noisy_sphere(2, 0.05), saddle(16), annulus(32, 4)}) {
+    EdgeCollapseParams params;
+    params.max_error = 0.02 * diagonal(before);
+    params.preserve_normal = params.preserve_boundary = params.preserve_topology = false;
+    const auto [after, report] = decimated(before, params);
+    EXPECT_LE(sampled_distance(before, after), report.max_error * (1.0 + 1e-9));
+    EXPECT_LE(report.max_error, params.max_error);
+  }
+}
+
 TEST(ErrorBound, AndATargetStopAtWhicheverComesFirst) {
   EdgeCollapseParams params = to_faces(300);
   params.max_error = 1.0;  // never reached

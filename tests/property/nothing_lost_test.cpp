@@ -97,6 +97,59 @@ TEST(Selection, BadFacesOutsideAreLeftAlone) {
       others);
 }
 
+/// Faces outside stay even if they are good for nothing, so their vertices must stay as well.
+TEST(Selection, VerticesOfBadFacesOutsideAreLeftAlone) {
+  for (bool topology : {true, false}) {
+    RichMesh mesh;
+    Shape shape = plane_grid(12);
+    shape.vertices.push_back({2, 2, 2});
+    const int lonely = shape.vertex_count() - 1;
+    shape.faces.push_back({lonely, lonely, 3});                             // outside
+    shape.faces.push_back({lonely, lonely, 5});                             // selected
+    for (int v = 0; v < 40; v += 3) shape.faces.push_back({v, v, lonely});  // outside
+    fill_with_attributes(mesh, shape);
+    int selected = select_faces(mesh, is_left);
+    for (std::size_t f = plane_grid(12).faces.size(); f < mesh.face.size(); ++f) {
+      selected -= mesh.face[f].IsS();
+      mesh.face[f].ClearS();
+    }
+    mesh.face[plane_grid(12).faces.size() + 1].SetS();
+    std::multiset<std::string> before, after;
+    for (const RichFace& f : mesh.face)
+      if (!f.IsS()) before.insert(bytes_of(f));
+    EdgeCollapseParams params = to_faces(selected / 4);
+    params.selected_only = true;
+    params.preserve_topology = topology;
+    decimate(mesh, params);
+    for (const RichFace& f : mesh.face) {
+      for (int i = 0; i < 3; ++i) {
+        ASSERT_GE(f.cV(i), mesh.vert.data());
+        ASSERT_LT(f.cV(i), mesh.vert.data() + mesh.vert.size());
+      }
+      if (!f.IsS()) after.insert(bytes_of(f));
+    }
+    EXPECT_EQ(after, before) << "preserve_topology " << topology;
+  }
+}
+
+/// Without the topology guard a selected face may fall onto one outside: the selected one goes.
+TEST(Selection, FacesOutsideSurviveADuplicateOfThem) {
+  RichMesh mesh;
+  fill_with_attributes(mesh, unit_ball(2));
+  const int selected = select_faces(mesh, [](const vcg::Point3d& p) { return p[2] < 0.9; });
+  std::multiset<std::string> before, after;
+  for (const RichFace& f : mesh.face)
+    if (!f.IsS()) before.insert(bytes_of(f));
+  EdgeCollapseParams params = to_faces(0);
+  params.selected_only = true;
+  params.preserve_topology = params.preserve_normal = false;
+  ASSERT_GT(selected, 0);
+  decimate(mesh, params);
+  for (const RichFace& f : mesh.face)
+    if (!f.IsS()) after.insert(bytes_of(f));
+  EXPECT_EQ(after, before);
+}
+
 TEST(Selection, PolygonEdgesOutsideAreLeftAlone) {
   RichMesh mesh;
   fill_with_attributes(mesh, plane_grid(12));
@@ -174,6 +227,53 @@ TEST_P(Attributes, AffineInPositionAreExact) {
   }
 }
 
+TEST_P(Attributes, WedgeCoordinatesFollowThePlane) {
+  decimate(mesh_, params_);
+  for (const RichFace& f : mesh_.face)
+    for (int i = 0; i < 3; ++i) {
+      EXPECT_NEAR(f.cWT(i).u(), f.cP(i)[0], 1.0 / 1024);
+      EXPECT_NEAR(f.cWT(i).v(), f.cP(i)[1], 1.0 / 1024);
+    }
+}
+
+/// The right half lies in a chart of its own, on a page of its own.
+TEST_P(Attributes, WedgeCoordinatesOfTwoChartsDoNotMix) {
+  for (RichFace& f : mesh_.face) {
+    const bool right = (f.cP(0)[0] + f.cP(1)[0] + f.cP(2)[0]) / 3.0 > 0.5;
+    for (int i = 0; i < 3 && right; ++i) f.WT(i).u() += 10.0, f.WT(i).n() = 1;
+  }
+  const DecimationReport report = decimate(mesh_, params_);
+  int right = 0;
+  for (const RichFace& f : mesh_.face) {
+    right += f.cWT(0).n() == 1;
+    for (int i = 0; i < 3; ++i) {
+      const double u = f.cWT(i).u() - (f.cWT(0).n() == 1 ? 10.0 : 0.0);
+      EXPECT_EQ(f.cWT(i).n(), f.cWT(0).n());
+      EXPECT_GE(u, f.cWT(0).n() == 1 ? 0.5 : 0.0);
+      EXPECT_LE(u, f.cWT(0).n() == 1 ? 1.0 : 0.5);
+      EXPECT_NEAR(f.cWT(i).v(), f.cP(i)[1], 0.2);
+    }
+  }
+  EXPECT_GT(right, 10);
+  EXPECT_LT(right, mesh_.fn - 10);
+  ASSERT_FALSE(report.notes.empty());
+  EXPECT_NE(report.notes[0].find("seams"), std::string::npos) << report.notes[0];
+}
+
+/// A chart is known by equal coordinates at a vertex; a rounding error would tear it.
+TEST_P(Attributes, WedgeCoordinatesOfOneChartDoNotTear) {
+  RichMesh mesh;
+  const Shape tilted = rotated(plane_grid(20), 0.4, {1, 2, 3});
+  fill_with_attributes(mesh, tilted);
+  decimate(mesh, params_);
+  std::map<const RichVertex*, std::pair<double, double>> seen;
+  for (const RichFace& f : mesh.face)
+    for (int i = 0; i < 3; ++i) {
+      const std::pair<double, double> uv(f.cWT(i).u(), f.cWT(i).v());
+      EXPECT_EQ(seen.try_emplace(f.cV(i), uv).first->second, uv);
+    }
+}
+
 TEST_P(Attributes, NormalsAreThoseOfThePlane) {
   decimate(mesh_, params_);
   for (const RichVertex& v : mesh_.vert) EXPECT_LT((v.cN() - vcg::Point3d(0, 0, 1)).Norm(), 1e-12);
@@ -203,6 +303,17 @@ TEST(FaceNormals, FitTheFacesAfterwards) {
     const vcg::Point3d normal = ((f.cP(1) - f.cP(0)) ^ (f.cP(2) - f.cP(0))).Normalize();
     ASSERT_LT((f.cN() - normal).Norm(), 1e-9);
   }
+}
+
+TEST(VertexNormals, HaveLengthOneAndFitTheFacesAfterwards) {
+  RichMesh mesh;
+  fill_with_attributes(mesh, unit_ball(3));
+  decimate(mesh, to_faces(200));
+  for (const RichFace& f : mesh.face)
+    for (int i = 0; i < 3; ++i) {
+      ASSERT_NEAR(f.cV(i)->cN().Norm(), 1.0, 1e-12);
+      ASSERT_GT(f.cV(i)->cN() * f.cN(), 0.7);
+    }
 }
 
 TEST(BoundingBox, FitsTheMeshAfterwards) {
@@ -241,6 +352,19 @@ TEST(AttributesThatAreNotFinite, DoNotSpread) {
   EXPECT_LE(std::count_if(mesh.vert.begin(), mesh.vert.end(),
                           [](const RichVertex& v) { return std::isnan(v.cQ()); }),
             3);
+}
+
+TEST(AttributesThatAreNotFinite, DoNotSpreadFromACornerOfAFace) {
+  RichMesh mesh;
+  fill_with_attributes(mesh, plane_grid(20));
+  int bad = 0;
+  for (RichFace& f : mesh.face)
+    for (int i = 0; i < 3; ++i)
+      if (f.cV(i) == &mesh.vert[200]) f.WT(i).u() = nan, ++bad;
+  decimate(mesh, to_faces(100));
+  for (const RichFace& f : mesh.face)
+    for (int i = 0; i < 3; ++i) bad -= std::isnan(f.cWT(i).u());
+  EXPECT_GE(bad, 0);
 }
 
 TEST(Adjacency, OfTheHostDoesNotDangle) {

@@ -159,6 +159,21 @@ double one_sided_distance(const Shape& from, const Shape& to) {
   return largest;
 }
 
+double one_sided_sampled_distance(const Shape& from, const Shape& to) {
+  constexpr int steps = 4;  // 15 points a face
+  const Surface surface(to);
+  double largest = 0.0;
+  for (const Corners& f : from.faces) {
+    const auto [a, b, c] = corners_of(from, f);
+    for (int i = 0; i <= steps; ++i)
+      for (int j = 0; i + j <= steps; ++j) {
+        const Point p = a + (b - a) * (double(i) / steps) + (c - a) * (double(j) / steps);
+        largest = std::max(largest, surface.nearest(p).distance);
+      }
+  }
+  return largest;
+}
+
 double mean_square_distance(const Shape& from, const Shape& to) {
   const Surface surface(to);
   double sum = 0.0, weight = 0.0;
@@ -260,6 +275,10 @@ double distance_to(const Shape& surface, const Point& p) {
 
 double two_sided_distance(const Shape& a, const Shape& b) {
   return std::max(one_sided_distance(a, b), one_sided_distance(b, a));
+}
+
+double sampled_distance(const Shape& a, const Shape& b) {
+  return std::max(one_sided_sampled_distance(a, b), one_sided_sampled_distance(b, a));
 }
 
 double two_sided_rms(const Shape& a, const Shape& b) {

@@ -43,7 +43,11 @@ double distance_to(const Shape& surface, const Point& p);
 /// Largest distance from the vertices and face centres of either to the other.
 double two_sided_distance(const Shape& a, const Shape& b);
 
-/// The same, root of the mean square weighted by area; face centres only.
+/// Largest distance from a lattice of points on the faces of either, corners and edges included, to
+/// the other.
+double sampled_distance(const Shape& a, const Shape& b);
+
+/// The same as two_sided_distance, root of the mean square weighted by area; face centres only.
 double two_sided_rms(const Shape& a, const Shape& b);
 
 /// The smallest interior angle of any face, in degrees.

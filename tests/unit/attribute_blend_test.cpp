@@ -40,5 +40,19 @@ TEST(AttributeBlend, ReplaysInOrder) {
   EXPECT_EQ(values, (std::vector<double>{2.0, 4.0, 2.0}));
 }
 
+TEST(AttributeBlend, AValueThatIsNotFiniteDoesNotSpread) {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<BlendStep> steps = {{0, {0, 1, 2}, {0.25, 0.5, 0.25}}};
+  std::vector<double> one_bad = {2.0, nan, 6.0};
+  replay(steps, one_bad);
+  EXPECT_EQ(one_bad[0], 4.0);  // the mean of the others, by their weights
+  std::vector<double> all_bad = {nan, nan, nan};
+  replay(steps, all_bad);
+  EXPECT_TRUE(std::isnan(all_bad[0]));
+  std::vector<double> unused_bad = {2.0, nan, 6.0};
+  replay({{0, {0, 1, 2}, {0.5, 0.0, 0.5}}}, unused_bad);
+  EXPECT_EQ(unused_bad[0], 4.0);
+}
+
 }  // namespace
 }  // namespace curvdecim::test

@@ -12,6 +12,7 @@ TEST(EdgeQueue, GivesTheCheapestEdgeOfAllVertices) {
   EXPECT_EQ(queue.top().a, 1);
   EXPECT_EQ(queue.top().b, 5);
   EXPECT_EQ(queue.top_cost(), 1.0);
+  EXPECT_EQ(queue.second_cost(), 2.0);
 }
 
 TEST(EdgeQueue, KeepsOneEdgeAVertex) {

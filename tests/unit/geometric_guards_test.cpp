@@ -34,15 +34,31 @@ TEST(NormalFlip, IsNoneWithoutANormalBefore) {
 
 TEST(NormalFlip, IsNoneWithALimitOf180Degrees) { EXPECT_FALSE(turned(180, -1.0)); }
 
+/// An isosceles triangle with a base of 1; the flatter, the worse its shape.
+Triangle of_height(double height) {
+  return {Vector3(0, 0, 0), Vector3(1, 0, 0), Vector3(0.5, height, 0)};
+}
+
+bool spoiled(double height_before, double height_after, double least) {
+  return spoils_shape(of_height(height_before), 0.5 * height_before, of_height(height_after),
+                      0.5 * height_after, least);
+}
+
+double quality_of_height(double height) { return shape_quality(of_height(height), 0.5 * height); }
+
 TEST(TriangleShape, IsSpoiledWhenItGetsWorseThanTheLimit) {
-  EXPECT_TRUE(spoils_shape(0.5, 0.005, 0.01));
-  EXPECT_FALSE(spoils_shape(0.5, 0.02, 0.01));
+  const double limit = quality_of_height(0.01);
+  EXPECT_TRUE(spoiled(0.5, 0.009, limit));
+  EXPECT_FALSE(spoiled(0.5, 0.011, limit));
 }
 
 TEST(TriangleShape, OfABadFaceMayGetBetter) {
-  EXPECT_FALSE(spoils_shape(0.001, 0.005, 0.01));
-  EXPECT_TRUE(spoils_shape(0.005, 0.001, 0.01));
+  const double limit = quality_of_height(0.01);
+  EXPECT_FALSE(spoiled(0.001, 0.005, limit));
+  EXPECT_TRUE(spoiled(0.005, 0.001, limit));
 }
+
+TEST(TriangleShape, OfAFaceWithoutAreaMayStaySo) { EXPECT_FALSE(spoiled(0.0, 0.0, 0.01)); }
 
 TEST(TriangleAfter, MovesTheCornerAtEitherEnd) {
   const WorkingMesh mesh = working_mesh(two_triangles());

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <iterator>
 #include <map>
 #include <random>
 #include <set>
@@ -35,6 +37,27 @@ TEST(IndexedHeap, BreaksTiesByIndexWhateverTheHistory) {
   for (int i = 0; i < 40; ++i) up.set(i, 1.0), down.set(39 - i, 1.0), expected.push_back(i);
   EXPECT_EQ(drained(up), expected);
   EXPECT_EQ(drained(down), expected);
+}
+
+TEST(IndexedHeap, BreaksTiesByTheSecondKeyFirst) {
+  IndexedHeap heap(4);
+  heap.set(0, 1.0, 0.3f), heap.set(1, 1.0, 0.1f), heap.set(2, 0.5, 9.0f), heap.set(3, 1.0, 0.1f);
+  EXPECT_EQ(drained(heap), (std::vector<int>{2, 1, 3, 0}));
+}
+
+TEST(IndexedHeap, KnowsTheSecondKey) {
+  std::mt19937 random(3);
+  IndexedHeap heap(30);
+  EXPECT_TRUE(std::isinf(IndexedHeap(2).second_key()));
+  heap.set(0, 7.0);
+  EXPECT_TRUE(std::isinf(heap.second_key()));
+  std::multiset<double> keys{7.0};
+  for (int i = 1; i < 30; ++i) {
+    const double key = static_cast<double>(random() % 12);
+    heap.set(i, key);
+    keys.insert(key);
+    EXPECT_EQ(heap.second_key(), *std::next(keys.begin()));
+  }
 }
 
 TEST(IndexedHeap, ChangesAKeyInBothDirections) {

@@ -161,6 +161,70 @@ TEST(CurvatureWeightedMetric, WithInfiniteAlphaIsTheQuadric) {
   }
 }
 
+// --- after a collapse ----------------------------------------------------------------------------
+
+/// Collapses b of an edge into a as the operator does, and lets the metrics follow.
+template <class... Metrics>
+void collapse(WorkingMesh& mesh, Edge edge, const Vector3& x, Metrics&... metrics) {
+  EdgeNeighborhood around(mesh.connectivity.vertex_slots());
+  around.gather(mesh.connectivity, edge);
+  const Collapse done{edge.a, edge.b, mesh.position[edge.a], mesh.position[edge.b], x, 0.5};
+  (metrics.release(around), ...);
+  mesh.position[edge.a] = x;
+  mesh.connectivity.collapse(edge.a, edge.b);
+  for (int f : around.star()) mesh.update_plane(f);
+  VertexMarks marks(mesh.connectivity.vertex_slots());
+  std::vector<int> ring;
+  for_each_neighbor(mesh.connectivity, edge.a, marks, [&](int u) { ring.push_back(u); });
+  (metrics.merge(done, around, ring), ...);
+}
+
+/// All edges of the mesh as it is.
+std::vector<Edge> edges_of(const WorkingMesh& mesh) {
+  std::vector<Edge> edges;
+  for (int f = 0; f < mesh.connectivity.face_slots(); ++f)
+    for (int i = 0; i < 3 && mesh.connectivity.alive(f); ++i) {
+      const Face& face = mesh.connectivity.face(f);
+      if (const int a = face[i], b = face[(i + 1) % 3]; a < b) edges.push_back({a, b});
+    }
+  return edges;
+}
+
+TEST(CurvatureWeightedMetric, SeesTheCurvatureOfTheCurrentMesh) {
+  WorkingMesh mesh = working_mesh(torus(12, 8));
+  EdgeCollapseParams params = custom(Quadrics::Memoryless);
+  params.alpha_units = AlphaUnits::ModelUnits, params.alpha = 0.1, params.feature_angle = 180.0;
+  CurvatureWeightedMetric weighted(mesh, params, 1.0);
+  QuadricMetric plain(mesh, params);
+  weighted.initialize(Parallel(1)), plain.initialize(Parallel(1));
+  const auto absolute = [&](int v) { return vertex_curvature(mesh, v).absolute(); };
+  for (Edge edge : {Edge{16, 24}, Edge{16, 17}, Edge{40, 41}})
+    collapse(mesh, edge, mesh.position[edge.b] + Vector3(0.01, 0.02, 0.05), weighted, plain);
+  for (Edge edge : edges_of(mesh)) {
+    const double expected = plain.evaluate(edge, Allowed::OntoA)->cost *
+                            -std::expm1(-0.1 * (absolute(edge.a) + absolute(edge.b)));
+    EXPECT_NEAR(weighted.evaluate(edge, Allowed::OntoA)->cost, expected, 1e-9 * expected);
+  }
+}
+
+TEST(QuadricMetric, MemorylessIsOfTheCurrentMeshAndATenthOfTheInput) {
+  const WorkingMesh input = working_mesh(torus(12, 8));
+  WorkingMesh mesh = input;
+  EdgeCollapseParams params = custom(Quadrics::Memoryless);
+  params.feature_angle = 180.0;
+  QuadricMetric metric(mesh, params);
+  metric.initialize(Parallel(1));
+  for (Edge edge : {Edge{16, 24}, Edge{16, 17}})
+    collapse(mesh, edge, mesh.position[edge.b] + Vector3(0.01, 0.02, 0.05), metric);
+  for (Edge edge : edges_of(mesh)) {
+    if (edge.b == 16 || edge.a == 16) continue;  // it also carries what was merged into it
+    const Vector3 step = mesh.position[edge.a] - mesh.position[edge.b];
+    const Symmetric3 planes = plane_matrix(mesh, edge.b, PlaneWeight::Area) +
+                              plane_matrix(input, edge.b, PlaneWeight::Area) * 0.1;
+    EXPECT_NEAR(metric.evaluate(edge, Allowed::OntoA)->cost, step.dot(planes * step), 1e-12);
+  }
+}
+
 // --- curvature additive --------------------------------------------------------------------------
 
 double additive_term(const Shape& shape, CurvatureTerm term, Edge edge,
@@ -205,7 +269,14 @@ TEST(Preset, SetsWhatItNamesAndLeavesTheMetric) {
   EXPECT_EQ(with_preset(params).quadrics, Quadrics::Memoryless);
   EXPECT_EQ(with_preset(params).placement, Placement::Optimal);
   EXPECT_EQ(with_preset(params).plane_weight, PlaneWeight::Area);
+  EXPECT_EQ(with_preset(params).scheduler, Scheduler::Lazy);
   EXPECT_EQ(with_preset(params).metric, Metric::CurvatureAdditive);
+  params.preset = Preset::Fast;
+  EXPECT_EQ(with_preset(params).quadrics, Quadrics::Accumulated);
+  EXPECT_EQ(with_preset(params).scheduler, Scheduler::Lazy);
+  params.preset = Preset::Best;
+  EXPECT_EQ(with_preset(params).quadrics, Quadrics::Memoryless);
+  EXPECT_EQ(with_preset(params).scheduler, Scheduler::Eager);
 }
 
 }  // namespace

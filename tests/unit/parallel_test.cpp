@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <mutex>
 #include <set>
@@ -31,6 +32,32 @@ TEST(Parallel, UsesTheThreadsItIsGiven) {
     threads.insert(std::this_thread::get_id());
   });
   EXPECT_EQ(threads.size(), 4u);
+}
+
+TEST(Parallel, AsksBetweenBlocksOnTheCallingThread) {
+  constexpr int count = 1000000;
+  int asked = 0;
+  std::atomic<int> visited{0};
+  const auto caller = std::this_thread::get_id();
+  const Parallel parallel(4, [&] {
+    EXPECT_EQ(std::this_thread::get_id(), caller);
+    ++asked;
+  });
+  parallel.for_each(count, [&](int) { ++visited; });
+  EXPECT_EQ(visited, count);
+  EXPECT_GT(asked, 1);
+}
+
+TEST(Parallel, EndsWhenItIsAskedTo) {
+  struct Enough {};
+  std::atomic<int> visited{0};
+  int asked = 0;
+  const Parallel parallel(2, [&] {
+    if (++asked == 2) throw Enough();
+  });
+  EXPECT_THROW(parallel.for_each(1000000, [&](int) { ++visited; }), Enough);
+  EXPECT_GT(visited, 0);
+  EXPECT_LT(visited, 1000000);
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ class CollapseGuards {
  public:
   CollapseGuards(const WorkingMesh& mesh, const DecimationParams& params)
       : mesh_(mesh),
-        preserve_topology_(params.preserve_topology),
+        link_condition_(params.preserve_topology || params.max_error > 0.0),
         cos_normal_(params.preserve_normal ? limit(params.normal_angle) : -1.0),
         bound_(mesh, params.max_error) {
     for (const FacePlane& plane : mesh.plane) input_normal_.push_back(plane.normal);
@@ -28,7 +28,7 @@ class CollapseGuards {
 
   /// Why the edge may not collapse to x; nullopt: it may.
   std::optional<Rejection> refusal(const EdgeNeighborhood& around, const Vector3& x) {
-    if (preserve_topology_ && !satisfies_link_condition(mesh_, around))
+    if (link_condition_ && !satisfies_link_condition(mesh_, around))
       return Rejection::LinkCondition;
     for (int f : around.star())
       if (const auto reason = refusal_of_face(f, triangle_after(mesh_, f, around.edge(), x)))
@@ -66,7 +66,7 @@ class CollapseGuards {
   }
 
   const WorkingMesh& mesh_;
-  const bool preserve_topology_;
+  const bool link_condition_;  // also for the bound: without it a part may vanish
   const double cos_normal_;
   std::vector<Vector3> input_normal_;  // by face
   ErrorBound bound_;

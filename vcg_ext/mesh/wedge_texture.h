@@ -98,8 +98,10 @@ class WedgeTexture : public CollapseObserver {
       if (distance2 >= least) continue;
       least = distance2;
       result = {0.0, 0.0, wedges_[f][0].page};
-      for (int i = 0; i < 3; ++i)
+      for (int i = 0; i < 3; ++i) {
+        if (w[i] == 0.0) continue;  // the corner may not be a number
         result.u += w[i] * wedges_[f][i].u, result.v += w[i] * wedges_[f][i].v;
+      }
     }
     return result;
   }

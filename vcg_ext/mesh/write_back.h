@@ -27,8 +27,9 @@ class WriteBack {
     blend_attributes(steps);
     if (wedges) write_wedges(*wedges);
     move_vertices();
-    delete_unused_vertices();
+    const std::vector<bool> used_before = used_vertices();
     connect_faces();
+    delete_vertices(used_before);
     clear_adjacency();
     vcg::tri::Allocator<MeshType>::CompactEveryVector(mesh_);
     vcg::tri::UpdateBounding<MeshType>::Box(mesh_);
@@ -81,15 +82,20 @@ class WriteBack {
         face.N()[k] = static_cast<Scalar>(snapshot_.mesh.plane[f].normal[k]);
   }
 
+  /// By vcg vertex: whether a face uses it.
+  std::vector<bool> used_vertices() const {
+    std::vector<bool> used(mesh_.vert.size(), false);
+    for (const auto& face : mesh_.face)
+      for (int i = 0; i < 3 && !face.IsD(); ++i) used[vcg::tri::Index(mesh_, face.cV(i))] = true;
+    return used;
+  }
+
   /// Those that lost their last face, be it by a collapse or by a repair.
-  void delete_unused_vertices() {
-    std::vector<bool> unused(mesh_.vert.size(), false);
-    for (int f : snapshot_.unusable)
-      for (int i = 0; i < 3; ++i) unused[vcg::tri::Index(mesh_, mesh_.face[f].cV(i))] = true;
-    for (int v = 0; v < connectivity().vertex_slots(); ++v)
-      unused[snapshot_.vertex_of[v]] = !in_use(v);
-    for (std::size_t v = 0; v < unused.size(); ++v)
-      if (unused[v]) vcg::tri::Allocator<MeshType>::DeleteVertex(mesh_, mesh_.vert[v]);
+  void delete_vertices(const std::vector<bool>& used_before) {
+    const std::vector<bool> used = used_vertices();
+    for (std::size_t v = 0; v < used.size(); ++v)
+      if (used_before[v] && !used[v])
+        vcg::tri::Allocator<MeshType>::DeleteVertex(mesh_, mesh_.vert[v]);
   }
 
   void write_wedges(const WedgeTexture& wedges) {

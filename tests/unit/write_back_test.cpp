@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vcg_ext/mesh/write_back.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "support/drawn_meshes.h"
+#include "support/fingerprint.h"
+#include "support/rich_mesh.h"
+
+namespace curvdecim::test {
+namespace {
+
+/// A 4 x 4 grid with attributes, and its arrays.
+class WriteBackOf : public testing::Test {
+ protected:
+  void draw(const Shape& shape) {
+    fill_with_attributes(mesh_, shape);
+    snapshot_ = take_snapshot(mesh_);
+  }
+
+  /// The working vertex of a vertex of the mesh.
+  int working(int v) const {
+    const auto& all = snapshot_.vertex_of;
+    return static_cast<int>(std::find(all.begin(), all.end(), v) - all.begin());
+  }
+
+  /// Collapses an edge of the mesh (numbered as in it) into `keep`, which goes to `x`.
+  void collapse(int keep, int gone, const Point& x) {
+    WorkingMesh& mesh = snapshot_.mesh;
+    mesh.position[working(keep)] = snapshot_.to_box(x);
+    mesh.connectivity.collapse(working(keep), working(gone));
+    for (int f : mesh.connectivity.faces_of(working(keep))) mesh.update_plane(f);
+  }
+
+  void write(const std::vector<BlendStep>& steps = {}) {
+    WriteBack<RichMesh>(mesh_, snapshot_).run(steps, std::nullopt);
+  }
+
+  RichMesh mesh_;
+  Snapshot snapshot_;
+};
+
+TEST_F(WriteBackOf, NothingChangedLeavesEveryBit) {
+  draw(translated(plane_grid(4), {1.0 / 3.0, 0.1, -7.7}));
+  const std::string before = bytes_of(mesh_);
+  write();
+  EXPECT_EQ(bytes_of(mesh_), before);
+}
+
+TEST_F(WriteBackOf, ACollapseIsWrittenAndTheMeshIsCompact) {
+  draw(plane_grid(4));
+  collapse(12, 17, {0.6, 0.5, 0.2});
+  write();
+  EXPECT_EQ(mesh_.fn, 30);
+  EXPECT_EQ(mesh_.vn, 24);
+  EXPECT_EQ(mesh_.face.size(), 30u);
+  EXPECT_EQ(mesh_.vert.size(), 24u);
+  EXPECT_LT((mesh_.vert[12].cP() - vcg::Point3d(0.6, 0.5, 0.2)).Norm(), 1e-15);
+  EXPECT_EQ(mesh_.bbox.max, vcg::Point3d(1, 1, 0.2));
+}
+
+TEST_F(WriteBackOf, FacesAwayFromTheCollapseKeepTheirBits) {
+  draw(rotated(plane_grid(4), 1.0, {1, 2, 3}));
+  for (RichFace& f : mesh_.face) f.N() = {9, 9, 9}, f.SetF(1);  // to see what is written
+  const auto is_near = [](const RichFace& f) {
+    for (int i = 0; i < 3; ++i)
+      if (f.cV(i)->cQ() == 12.0 || f.cV(i)->cQ() == 17.0) return true;
+    return false;
+  };
+  for (std::size_t v = 0; v < mesh_.vert.size(); ++v) mesh_.vert[v].Q() = static_cast<double>(v);
+  std::vector<std::string> before, after;
+  for (const RichFace& f : mesh_.face)
+    if (!is_near(f)) before.push_back(bytes_of(f));
+  const vcg::Point3d x = (mesh_.vert[12].cP() + mesh_.vert[17].cP()) / 2.0;
+  collapse(12, 17, {x[0], x[1], x[2]});
+  write();
+  for (const RichFace& f : mesh_.face) {
+    if (!is_near(f)) after.push_back(bytes_of(f));
+    EXPECT_EQ(is_near(f), !f.IsF(1));
+    EXPECT_EQ(is_near(f), f.cN() != vcg::Point3d(9, 9, 9));
+    EXPECT_TRUE(!is_near(f) || std::abs(f.cN().Norm() - 1.0) < 1e-12);
+  }
+  EXPECT_EQ(after, before);
+}
+
+TEST_F(WriteBackOf, ANormalOfAVertexThatIsBlendedHasLengthOne) {
+  draw(plane_grid(4));
+  mesh_.vert[12].N() = {1, 0, 0}, mesh_.vert[17].N() = {0, 0, 1}, mesh_.vert[3].N() = {0, 0, 5};
+  collapse(12, 17, {0.6, 0.5, 0});
+  write({{working(12), {working(12), working(17), working(11)}, {0.5, 0.5, 0.0}}});
+  EXPECT_LT((mesh_.vert[12].cN() - vcg::Point3d(1, 0, 1).Normalize()).Norm(), 1e-15);
+  EXPECT_EQ(mesh_.vert[3].cN(), vcg::Point3d(0, 0, 5));
+}
+
+TEST_F(WriteBackOf, ColoursAreRoundedAndStayInTheirRange) {
+  draw(plane_grid(4));
+  mesh_.vert[12].C() = {0, 255, 10, 255}, mesh_.vert[17].C() = {255, 0, 11, 255};
+  collapse(12, 17, {0.6, 0.5, 0});
+  write({{working(12), {working(12), working(17), working(11)}, {-0.5, 1.5, 0.0}}});
+  EXPECT_EQ(mesh_.vert[12].cC(), vcg::Color4b(255, 0, 12, 255));
+}
+
+TEST_F(WriteBackOf, FacesThatCannotBeUsedGoWithTheVerticesThatOnlyTheyUsed) {
+  Shape shape = plane_grid(4);
+  shape.vertices.push_back({2, 2, 2});
+  shape.vertices.push_back({3, 3, 3});  // used by no face: stays
+  shape.faces.push_back({25, 25, 3});
+  draw(shape);
+  write();
+  EXPECT_EQ(mesh_.fn, 32);
+  EXPECT_EQ(mesh_.vn, 26);
+  EXPECT_EQ(mesh_.vert[25].cP(), vcg::Point3d(3, 3, 3));
+}
+
+}  // namespace
+}  // namespace curvdecim::test
