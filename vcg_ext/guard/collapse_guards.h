@@ -22,6 +22,7 @@ class CollapseGuards {
       : mesh_(mesh),
         link_condition_(params.preserve_topology || params.max_error > 0.0),
         cos_normal_(params.preserve_normal ? limit(params.normal_angle) : -1.0),
+        cos_input_normal_(params.preserve_normal ? limit(from_input * params.normal_angle) : -1.0),
         bound_(mesh, params.max_error) {
     for (const FacePlane& plane : mesh.plane) input_normal_.push_back(plane.normal);
   }
@@ -48,6 +49,7 @@ class CollapseGuards {
 
  private:
   static constexpr double least_shape_quality = 0.01;  // a needle of 1 : 100
+  static constexpr double from_input = 2.0 / 3.0;      // of the angle: what a face may turn in all
   static constexpr double margin = 0.05;  // two faces on the very limit could lie back to back
 
   static double limit(double degrees) { return std::cos(degrees * (M_PI / 180.0)) + margin; }
@@ -58,7 +60,7 @@ class CollapseGuards {
     const FacePlane& before = mesh_.plane[f];
     const FacePlane after = face_plane(triangle);
     if (turns_too_far(before.normal, after, cos_normal_) ||
-        turns_too_far(input_normal_[f], after, cos_normal_))
+        turns_too_far(input_normal_[f], after, cos_input_normal_))
       return Rejection::NormalFlip;
     if (spoils_shape(mesh_.triangle(f), before.area, triangle, after.area, least_shape_quality))
       return Rejection::TriangleShape;
@@ -67,7 +69,7 @@ class CollapseGuards {
 
   const WorkingMesh& mesh_;
   const bool link_condition_;  // also for the bound: without it a part may vanish
-  const double cos_normal_;
+  const double cos_normal_, cos_input_normal_;
   std::vector<Vector3> input_normal_;  // by face
   ErrorBound bound_;
 };
