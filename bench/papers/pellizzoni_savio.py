@@ -21,7 +21,6 @@ settings and in our defaults.
 
 from __future__ import annotations
 
-import argparse
 import sys
 import tempfile
 from collections.abc import Mapping
@@ -31,10 +30,11 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
 import tables
-from decimators import DEFAULT_PLUGIN, Decimator, FilterError, curvdecim
+from decimators import Decimator, FilterError, curvdecim
 from judge import Figures
 from meshes import REPOSITORY, shipped
 from models import Model
+from paper_options import paper_options
 
 KEPT = 0.20  # of the faces, as in Table 1
 ALPHAS = (1e-1, 1e-2, 1e-3, 1e-4)  # over the diagonal squared
@@ -203,7 +203,7 @@ def study(plugin: Path, folder: Path) -> tuple[Study, list[tables.Table]]:
 
 def main() -> int:
     """Prints every table; the exit code is the verdict."""
-    options = _options()
+    options = paper_options(__doc__)
     console = tables.console()
     with tempfile.TemporaryDirectory() as folder:
         try:
@@ -217,13 +217,6 @@ def main() -> int:
         path = REPOSITORY / "bench/results/pellizzoni_savio.md"
         tables.save_markdown(path, "Pellizzoni and Savio 2020", [__doc__], shown)
     return 0 if done.gains() else 1
-
-
-def _options() -> argparse.Namespace:
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--plugin", type=Path, default=DEFAULT_PLUGIN)
-    parser.add_argument("--save", action="store_true", help="write bench/results")
-    return parser.parse_args()
 
 
 if __name__ == "__main__":

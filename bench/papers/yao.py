@@ -20,7 +20,6 @@ settings, on the paper's own case, the cow, or in the geometric mean of all case
 
 from __future__ import annotations
 
-import argparse
 import sys
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -30,10 +29,11 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
 import numpy as np
 import tables
-from decimators import DEFAULT_PLUGIN, Decimator, FilterError, curvdecim
+from decimators import Decimator, FilterError, curvdecim
 from judge import Figures
 from meshes import REPOSITORY, shared_folder, shipped
 from models import Model
+from paper_options import paper_options
 
 LAMBDAS = (1e-3, 1e-2)  # of a mesh of diagonal 1
 SHIPPED = ("bone.ply", "cow.obj", "bunny.obj")
@@ -161,7 +161,7 @@ def lowers_the_maximum(done: Sequence[Case]) -> bool:
 
 def main() -> int:
     """Prints every table; the exit code is the verdict."""
-    options = _options()
+    options = paper_options(__doc__)
     console = tables.console()
     try:
         done = cases(options.plugin)
@@ -176,13 +176,6 @@ def main() -> int:
         path = REPOSITORY / "bench/results/yao.md"
         tables.save_markdown(path, "Yao, Huang, Xu and Li 2015", [__doc__], shown)
     return 0 if lowers_the_maximum(done) else 1
-
-
-def _options() -> argparse.Namespace:
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--plugin", type=Path, default=DEFAULT_PLUGIN)
-    parser.add_argument("--save", action="store_true", help="write bench/results")
-    return parser.parse_args()
 
 
 if __name__ == "__main__":

@@ -34,14 +34,14 @@ class CollapseGuards {
     for (int f : around.star())
       if (const auto reason = refusal_of_face(f, triangle_after(mesh_, f, around.edge(), x)))
         return reason;
-    if (bound_.active() && !bound_.allows(bound_.after(mesh_, around, x)))
+    if (bound_.active() && !bound_.allows(asked_bound_ = bound_.after(mesh_, around, x)))
       return Rejection::ErrorBound;
     return std::nullopt;
   }
 
-  /// To be told of every collapse just before it is done.
-  void accept(const EdgeNeighborhood& around, const Vector3& x) {
-    if (bound_.active()) bound_.set(around, bound_.after(mesh_, around, x));
+  /// To be told that the collapse last asked about, and not refused, is done.
+  void accept(const EdgeNeighborhood& around) {
+    if (bound_.active()) bound_.set(around, asked_bound_);
   }
 
   /// The guaranteed bound, in the unit of the working mesh; 0 without one.
@@ -72,6 +72,7 @@ class CollapseGuards {
   const double cos_normal_, cos_input_normal_;
   std::vector<Vector3> input_normal_;  // by face
   ErrorBound bound_;
+  double asked_bound_ = 0.0;  // of the collapse last asked about
 };
 
 }  // namespace curvdecim

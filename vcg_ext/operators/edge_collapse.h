@@ -172,7 +172,7 @@ class EdgeCollapse {
                         mesh_.position[gone],
                         candidate.position,
                         keep_b ? 1.0 - candidate.t : candidate.t};
-    guards_.accept(around_, candidate.position);
+    guards_.accept(around_);
     metric_.release(around_);
     for (CollapseObserver* observer : observers_) observer->before(mesh_, around_, done);
     mesh_.position[keep] = candidate.position;
