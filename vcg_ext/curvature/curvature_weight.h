@@ -37,12 +37,22 @@ class CurvatureWeight {
   CurvatureWeight(double alpha, double floor, double unit)
       : alpha_(alpha), floor_(floor), unit_(unit) {}
 
-  double operator()(double curvature) const {
+  double operator()(double curvature) const { return factor(saturation(curvature)); }
+
+  /// 1 - exp(-alpha k), 0..1.
+  double saturation(double curvature) const {
     if (!(alpha_ > 0.0) || !(unit_ > 0.0)) return 1.0;
-    return floor_ - (1.0 - floor_) * std::expm1(-alpha_ * (curvature / unit_));
+    return -std::expm1(-alpha_ * (curvature / unit_));
+  }
+
+  /// The factor for the sum of two curvatures, whose exponentials multiply.
+  double of_edge(double saturation_a, double saturation_b) const {
+    return factor(saturation_a + saturation_b - saturation_a * saturation_b);
   }
 
  private:
+  double factor(double saturation) const { return floor_ + (1.0 - floor_) * saturation; }
+
   double alpha_, floor_, unit_;
 };
 

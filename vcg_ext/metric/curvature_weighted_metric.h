@@ -29,20 +29,22 @@ class CurvatureWeightedMetric {
     const int vertices = static_cast<int>(mesh_.position.size());
     angles_.resize(mesh_.plane.size());
     sums_.resize(vertices);
-    curvature_.resize(vertices);
+    saturation_.resize(vertices);
     std::vector<VertexCurvature> input(vertices);
     parallel.for_each(static_cast<int>(angles_.size()), [this](int f) { update_angles(f); });
     parallel.for_each(vertices, [&](int v) {
       sums_[v] = curvature_sums(mesh_, v, [this](int f, int i) { return angles_[f][i]; });
       input[v] = sums_[v].curvature(mesh_.kind[v]);
-      curvature_[v] = input[v].of_kind(params_.curvature_kind);
     });
     weight_ = curvature_weight(params_, input, diagonal_);
+    parallel.for_each(vertices, [&](int v) {
+      saturation_[v] = weight_.saturation(input[v].of_kind(params_.curvature_kind));
+    });
   }
 
   std::optional<Candidate> evaluate(Edge edge, Allowed allowed) const {
     std::optional<Candidate> candidate = quadric_.evaluate(edge, allowed);
-    if (candidate) candidate->cost *= weight_(curvature_[edge.a] + curvature_[edge.b]);
+    if (candidate) candidate->cost *= weight_.of_edge(saturation_[edge.a], saturation_[edge.b]);
     return candidate;
   }
 
@@ -74,7 +76,8 @@ class CurvatureWeightedMetric {
   }
 
   void update(int v) {
-    curvature_[v] = sums_[v].curvature(mesh_.kind[v]).of_kind(params_.curvature_kind);
+    const VertexCurvature curvature = sums_[v].curvature(mesh_.kind[v]);
+    saturation_[v] = weight_.saturation(curvature.of_kind(params_.curvature_kind));
   }
 
   void update_angles(int f) {
@@ -89,7 +92,7 @@ class CurvatureWeightedMetric {
   CurvatureWeight weight_;
   std::vector<std::array<double, 3>> angles_;  // by face and corner
   std::vector<CurvatureSums> sums_;            // by vertex
-  std::vector<double> curvature_;  // by vertex, of the current mesh in its box of diagonal 1
+  std::vector<double> saturation_;             // by vertex, of the current mesh's curvature
 };
 
 }  // namespace curvdecim

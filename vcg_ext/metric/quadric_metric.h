@@ -42,7 +42,7 @@ class QuadricMetric {
     const Quadric q = sum_about_midpoint(quadrics[edge.a], quadrics[edge.b], half);
     const Placed placed =
         place(q, half, allowed, params_.placement, volume_plane(edge, half, allowed));
-    double cost = q.value(placed.offset);
+    double cost = placed.value;
     if (cost <= rounding * rounding * half.squaredNorm() * q.a.trace()) cost = 0.0;
     if (placed.offset == -half) return Candidate{cost, a, 0.0};  // not rounded: the vertex itself
     if (placed.offset == half) return Candidate{cost, b, 1.0};

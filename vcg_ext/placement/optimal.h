@@ -14,26 +14,35 @@ struct VolumePlane {
   double offset;
 };
 
+/// A point and the value of the quadric there.
+struct Minimum {
+  Vector3 offset;
+  double value;
+};
+
 /// Minimum of the quadric, drawn towards the origin (the edge's midpoint) just strongly enough that
 /// directions in which it is flat do not throw the vertex far away; then moved, where that takes no
 /// more than the edge's length, to the minimum among the points that keep the volume. The edge goes
-/// from -half to +half.
-inline Vector3 optimal_offset(const Quadric& q, const std::optional<VolumePlane>& volume,
-                              const Vector3& half) {
-  constexpr double pull = 1e-4;  // relative to the trace, that is to the strongest direction
-  const double trace = q.a.trace();
-  if (!(trace > 0.0)) return Vector3::Zero();
-  const Factorization3 a(q.a.plus_diagonal(pull * trace));
+/// from -half to +half. With p the pull, (A + p) x = -b gives the value without another product:
+/// c + b.x - p x.x, and so do the steps from there.
+inline Minimum optimal_minimum(const Quadric& q, const std::optional<VolumePlane>& volume,
+                               const Vector3& half) {
+  constexpr double relative_pull = 1e-4;  // to the trace, that is to the strongest direction
+  const double trace = q.a.trace(), pull = relative_pull * trace;
+  if (!(trace > 0.0)) return {Vector3::Zero(), q.c};
+  const Factorization3 a(q.a.plus_diagonal(pull));
   const Vector3 offset = a.solve(-q.b);
-  const double least = q.value(offset), even = half.dot(q.a * half) + q.c,
-               odd = 2.0 * q.b.dot(half);
-  if (even - odd < least) return -half;  // a corner: only the pull moved the minimum off it
-  if (even + odd < least) return half;
-  if (!volume) return offset;
+  const double least = q.c + q.b.dot(offset) - pull * offset.squaredNorm();
+  const double even = half.dot(q.a * half) + q.c, odd = 2.0 * q.b.dot(half);
+  if (even - odd < least) return {-half, even - odd};  // a corner: only the pull moved it off
+  if (even + odd < least) return {half, even + odd};
+  if (!volume) return {offset, least};
   const Vector3 direction = a.solve(volume->gradient);
-  const double slope = volume->gradient.dot(direction);
-  const Vector3 step = ((volume->offset - volume->gradient.dot(offset)) / slope) * direction;
-  return slope > 0.0 && step.squaredNorm() <= 4.0 * half.squaredNorm() ? offset + step : offset;
+  const double slope = volume->gradient.dot(direction), length2 = direction.squaredNorm();
+  const double step = (volume->offset - volume->gradient.dot(offset)) / slope;
+  if (!(slope > 0.0) || step * step * length2 > 4.0 * half.squaredNorm()) return {offset, least};
+  const double rise = step * (slope - pull * length2) - 2.0 * pull * offset.dot(direction);
+  return {offset + step * direction, least + step * rise};
 }
 
 }  // namespace curvdecim

@@ -12,35 +12,40 @@ namespace curvdecim {
 /// A point near the edge from -half to +half (the midpoint is the origin).
 struct Placed {
   Vector3 offset;
-  double t;  // 0..1: the nearest point of the edge
+  double t;      // 0..1: the nearest point of the edge
+  double value;  // of the quadric
 };
 
 /// t = 0 and t = 1 give the ends exactly.
-inline Placed place_at(const Vector3& half, double t) { return {(2.0 * t - 1.0) * half, t}; }
+inline Placed place_at(const Quadric& q, const Vector3& half, double t) {
+  const Vector3 offset = (2.0 * t - 1.0) * half;
+  return {offset, t, q.value(offset)};
+}
 
 inline Placed place_half_edge(const Quadric& q, const Vector3& half) {
-  return place_at(half, q.value(-half) <= q.value(half) ? 0.0 : 1.0);
+  const Placed a = place_at(q, half, 0.0), b = place_at(q, half, 1.0);
+  return a.value <= b.value ? a : b;
 }
 
 inline Placed place_endpoint_or_midpoint(const Quadric& q, const Vector3& half) {
   const Placed end = place_half_edge(q, half);
-  return q.c < q.value(end.offset) ? place_at(half, 0.5) : end;
+  return q.c < end.value ? place_at(q, half, 0.5) : end;
 }
 
 inline Placed place_optimal(const Quadric& q, const Vector3& half,
                             const std::optional<VolumePlane>& volume) {
-  const Vector3 offset = optimal_offset(q, volume, half);
-  return {offset, parameter_along(half, offset)};
+  const Minimum minimum = optimal_minimum(q, volume, half);
+  return {minimum.offset, parameter_along(half, minimum.offset), minimum.value};
 }
 
 /// q: the quadric of the merged vertex about the midpoint of the edge. volume: for Optimal only.
 inline Placed place(const Quadric& q, const Vector3& half, Allowed allowed, Placement placement,
                     const std::optional<VolumePlane>& volume = std::nullopt) {
-  if (allowed == Allowed::OntoA) return place_at(half, 0.0);
-  if (allowed == Allowed::OntoB) return place_at(half, 1.0);
+  if (allowed == Allowed::OntoA) return place_at(q, half, 0.0);
+  if (allowed == Allowed::OntoB) return place_at(q, half, 1.0);
   switch (placement) {
     case Placement::Optimal: return place_optimal(q, half, volume);
-    case Placement::Line: return place_at(half, parameter_of_minimum(q, half));
+    case Placement::Line: return place_at(q, half, parameter_of_minimum(q, half));
     case Placement::EndpointOrMidpoint: return place_endpoint_or_midpoint(q, half);
     case Placement::HalfEdge: break;
   }
