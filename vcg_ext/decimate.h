@@ -13,13 +13,6 @@
 
 namespace curvdecim {
 
-/// Thrown between two blocks of parallel work.
-struct CancelRequest {};
-
-inline void check_cancelled(const Progress& progress) {
-  if (progress && !progress(0, "Preparing")) throw CancelRequest{};
-}
-
 /// Decimates a vcg triangle mesh by edge collapse, in place.
 ///
 /// The mesh needs faces with vertex references and selection flags; no adjacency. Whatever vertex
@@ -41,13 +34,14 @@ DecimationReport decimate_edge_collapse(MeshType& mesh, const EdgeCollapseParams
     BlendRecord blend(has_varying_attributes(mesh, snapshot));
     std::optional<WedgeTexture> wedges = read_wedges(mesh, snapshot);
     note_attributes(mesh, snapshot, wedges, report);
-    const Parallel parallel(params.threads, [&] { check_cancelled(progress); });
+    ProgressMeter meter(progress);
+    const Parallel parallel(params.threads, [&] { meter.ask(); });
     try {
       with_metric(snapshot.mesh, params, snapshot.diagonal, [&](auto metric) {
         EdgeCollapse operation(snapshot.mesh, metric, params, params.scheduler, *stop);
         operation.add_observer(blend);
         if (wedges) operation.add_observer(*wedges);
-        operation.run(parallel, progress, report);
+        operation.run(parallel, meter, report);
       });
     } catch (const CancelRequest&) {
       report.stopped_by = StopReason::Cancelled;
@@ -68,13 +62,13 @@ template <class MeshType>
 void curvature_importance(MeshType& mesh, const ImportanceParams& params) {
   validate(params);
   const Snapshot snapshot = take_snapshot(mesh);
-  const auto curvature = vertex_curvatures(snapshot.mesh, Parallel(0));
-  const CurvatureWeight weight = curvature_weight(params, curvature, snapshot.diagonal);
+  const CurvatureField field = curvature_field(snapshot.mesh, params, Parallel(0));
+  const CurvatureWeight weight = curvature_weight(params, field.mean(), snapshot.diagonal);
   const double length = snapshot.diagonal;
   const double unit =
       params.curvature_kind == CurvatureKind::Gaussian ? 1.0 / (length * length) : 1.0 / length;
-  for (std::size_t v = 0; v < curvature.size(); ++v) {
-    const double k = curvature[v].of_kind(params.curvature_kind);
+  for (std::size_t v = 0; v < field.value.size(); ++v) {
+    const double k = field.value[v];
     auto& quality = mesh.vert[snapshot.vertex_of[v]].Q();
     quality = static_cast<std::decay_t<decltype(quality)>>(params.as_factor ? weight(k) : k * unit);
   }

@@ -26,7 +26,7 @@ inline EdgeCollapseParams with_preset(EdgeCollapseParams params) {
   params.quadrics = params.preset == Preset::Fast ? Quadrics::Accumulated : Quadrics::Memoryless;
   params.plane_weight = PlaneWeight::Area;
   params.placement = Placement::Optimal;
-  params.scheduler = params.preset == Preset::Best ? Scheduler::Eager : Scheduler::Lazy;
+  params.scheduler = params.preset == Preset::Best ? Scheduler::Eager : Scheduler::Rounds;
   return params;
 }
 

@@ -2,57 +2,73 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
 #include <functional>
+#include <memory>
 #include <thread>
-#include <vector>
+
+#include "vcg_ext/thread_team.h"
 
 namespace curvdecim {
+
+/// How work is cut up.
+struct Grain {
+  int least;  ///< items that are worth a thread's while
+  int block;  ///< items between two looks at whether to go on: some tens of milliseconds
+};
 
 /// Runs independent work on several threads. Every index writes only what belongs to it, so that
 /// the number of threads cannot show in the result.
 class Parallel {
  public:
+  static constexpr Grain light{2048, 1 << 18};  ///< items of some tens of nanoseconds
+  static constexpr Grain heavy{32, 1 << 13};    ///< items of some microseconds
+
   /// threads: 0 for all cores. between_blocks: called on the calling thread while no other runs; it
   /// may throw to end the work.
   explicit Parallel(int threads, std::function<void()> between_blocks = {})
-      : threads_(threads > 0 ? threads
-                             : std::max(1, static_cast<int>(std::thread::hardware_concurrency()))),
+      : team_(std::make_unique<ThreadTeam>(
+            threads > 0 ? threads
+                        : std::max(1, static_cast<int>(std::thread::hardware_concurrency())))),
         between_blocks_(std::move(between_blocks)) {}
+
+  int threads() const { return team_->size(); }
 
   /// work(i) for every i below count.
   template <class Work>
-  void for_each(int count, Work work) const {
-    for_ranges(count, [&](int begin, int end) {
-      for (int i = begin; i < end; ++i) work(i);
-    });
+  void for_each(int count, Work work, Grain grain = light) const {
+    for_ranges(
+        count,
+        [&](int begin, int end, int) {
+          for (int i = begin; i < end; ++i) work(i);
+        },
+        grain);
   }
 
-  /// work(begin, end) for ranges that cover 0..count, for work that needs scratch of its own.
+  /// work(begin, end, worker) for ranges that cover 0..count; worker, below threads(), tells apart
+  /// what runs at the same time, for work that needs scratch of its own.
   template <class Work>
-  void for_ranges(int count, Work work) const {
-    constexpr int block = 1 << 18;  // some tens of milliseconds
-    for (int begin = 0; begin < count; begin += std::min(block, count - begin)) {
+  void for_ranges(int count, Work work, Grain grain = light) const {
+    for (int begin = 0; begin < count; begin += std::min(grain.block, count - begin)) {
       if (between_blocks_) between_blocks_();
-      run_block(begin, std::min(block, count - begin), work);
+      run_block(begin, std::min(grain.block, count - begin), work, grain.least);
     }
   }
 
  private:
   template <class Work>
-  void run_block(int first, int count, Work& work) const {
-    constexpr int least_per_thread = 4096;  // below it a thread costs more than it gives
-    const int parts = std::clamp(count / least_per_thread, 1, threads_);
-    const auto run_part = [&](int part) {
-      const auto bound = [&](long long p) { return first + static_cast<int>(p * count / parts); };
-      work(bound(part), bound(part + 1));
-    };
-    std::vector<std::thread> workers;
-    for (int part = 1; part < parts; ++part) workers.emplace_back(run_part, part);
-    run_part(0);
-    for (std::thread& worker : workers) worker.join();
+  void run_block(int first, int count, Work& work, int least) const {
+    constexpr int shares = 4;  // a thread, so that none waits long for the slowest
+    if (count < 2 * least || threads() == 1) return work(first, first + count, 0);
+    const int share = std::max(least, count / (shares * threads()));
+    std::atomic<int> next{0};
+    team_->run([&](int worker) {
+      for (int at; (at = next.fetch_add(share)) < count;)
+        work(first + at, first + std::min(at + share, count), worker);
+    });
   }
 
-  int threads_;
+  std::unique_ptr<ThreadTeam> team_;
   std::function<void()> between_blocks_;
 };
 

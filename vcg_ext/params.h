@@ -23,6 +23,12 @@ enum class CurvatureKind {
   Absolute,  ///< |k1| + |k2|, 1/length: also sees cylinders and straight ridges
 };
 
+/// Where the curvature is taken from.
+enum class CurvatureOf {
+  Input,    ///< the input, averaged over the one-ring; a merged vertex has it by area from its two
+  Current,  ///< the mesh as it is after each collapse @cite pellizzoni2020
+};
+
 /// The two readings of the printed curvature term @cite yao2015.
 enum class CurvatureTerm {
   Melax,    ///< edge length x max over faces of min over the edge's faces of (1 - n.n') / 2
@@ -47,10 +53,11 @@ enum class Placement {
   HalfEdge,            ///< the better end: only original vertices remain
 };
 
-/// Which costs are computed anew after a collapse.
+/// In which order edges collapse, and which costs are computed anew after a collapse.
 enum class Scheduler {
-  Lazy,   ///< those of the new edges; others when they come up
-  Eager,  ///< those of all edges around: slower, a little more exact
+  Rounds,  ///< many at once on all cores, the cheapest that lie apart; new edges' costs
+  Lazy,    ///< one by one, the cheapest first; new edges' costs, others when they come up
+  Eager,   ///< one by one, the cheapest first; costs of all edges around: slower, more exact
 };
 
 /// Speed against quality: a named setting of quadrics, plane_weight, placement and scheduler.
@@ -79,9 +86,10 @@ struct DecimationParams {
 /// How curvature becomes a factor on the cost @cite pellizzoni2020.
 struct CurvatureParams {
   double alpha = 0.3;            ///< <= 0: infinite, that is plain quadrics
-  double curvature_floor = 0.5;  ///< [0, 1]: factor of a flat vertex with AlphaUnits::ScaleFree
+  double curvature_floor = 0.1;  ///< [0, 1]: factor of a flat vertex with AlphaUnits::ScaleFree
   AlphaUnits alpha_units = AlphaUnits::ScaleFree;
   CurvatureKind curvature_kind = CurvatureKind::Absolute;
+  CurvatureOf curvature_of = CurvatureOf::Input;
 };
 
 struct EdgeCollapseParams : DecimationParams, CurvatureParams {
@@ -92,7 +100,7 @@ struct EdgeCollapseParams : DecimationParams, CurvatureParams {
   Quadrics quadrics = Quadrics::Memoryless;
   PlaneWeight plane_weight = PlaneWeight::Area;
   Placement placement = Placement::Optimal;
-  Scheduler scheduler = Scheduler::Lazy;
+  Scheduler scheduler = Scheduler::Rounds;
 };
 
 /// What the Curvature Importance filter shows.

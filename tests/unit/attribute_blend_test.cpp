@@ -11,10 +11,11 @@ namespace {
 
 /// The record of one collapse of 12 into 17 of a 4 x 4 grid, to `now`.
 std::vector<BlendStep> record(const WorkingMesh& mesh, const Vector3& now) {
-  EdgeNeighborhood around(mesh.connectivity.vertex_slots());
+  EdgeNeighborhood around;
   around.gather(mesh.connectivity, {12, 17});
   BlendRecord blend;
-  blend.before(mesh, around, {17, 12, mesh.position[17], mesh.position[12], now, 0.5});
+  blend.make_room(1);
+  blend.before(mesh, around, {17, 12, mesh.position[17], mesh.position[12], now, 0.5}, 0);
   return blend.steps();
 }
 
@@ -29,7 +30,12 @@ TEST(AttributeBlend, TakesTheValueOfThePlaceOnTheSurface) {
 
 TEST(AttributeBlend, LeavesAVertexThatStaysAlone) {
   const WorkingMesh mesh = working_mesh(plane_grid(4));
-  EXPECT_TRUE(record(mesh, mesh.position[17]).empty());
+  const std::vector<BlendStep> steps = record(mesh, mesh.position[17]);
+  EXPECT_EQ(steps[0].keep, BlendStep::none);
+  std::vector<double> values(mesh.position.size(), 0.0);
+  values[12] = 5.0;
+  replay(steps, values);
+  EXPECT_EQ(values[17], 0.0);
 }
 
 TEST(AttributeBlend, ReplaysInOrder) {

@@ -15,7 +15,7 @@ constexpr double limit = 0.1;
 /// What one collapse of `shape` adds to the bound.
 double bound_of(const Shape& shape, Edge edge, const Vector3& x) {
   const WorkingMesh mesh = working_mesh(shape);
-  EdgeNeighborhood around(mesh.connectivity.vertex_slots());
+  EdgeNeighborhood around;
   around.gather(mesh.connectivity, edge);
   return ErrorBound(mesh, limit).after(mesh, around, x);
 }
@@ -74,12 +74,11 @@ TEST(ErrorBound, IsNeverMoreThanTheVerticesMove) {
 
 TEST(ErrorBound, AddsUpOverCollapsesOfTheSamePlace) {
   const WorkingMesh mesh = working_mesh(plane_grid(4));
-  EdgeNeighborhood around(mesh.connectivity.vertex_slots());
+  EdgeNeighborhood around;
   around.gather(mesh.connectivity, {12, 17});
   ErrorBound bound(mesh, limit);
   bound.set(around, 0.03);
   EXPECT_NEAR(bound.after(mesh, around, {0.6, 0.5, 0.02}), 0.05, 1e-12);
-  EXPECT_EQ(bound.largest(), 0.03);
   around.gather(mesh.connectivity, {0, 1});  // far away
   EXPECT_NEAR(bound.after(mesh, around, {0, 0, 0}), bound_of(plane_grid(4), {0, 1}, {0, 0, 0}),
               1e-15);

@@ -18,7 +18,8 @@ Vector3 tilted(double degrees) {
 }
 
 bool turned(double degrees, double cos_limit) {
-  return turns_too_far(tilted(0), {tilted(degrees), 1.0}, cos_limit);
+  constexpr double area = 0.5;
+  return turns_too_far(tilted(0), area * tilted(degrees), cos_limit * area);
 }
 
 TEST(NormalFlip, IsATurnBeyondTheLimit) {
@@ -29,7 +30,7 @@ TEST(NormalFlip, IsATurnBeyondTheLimit) {
 }
 
 TEST(NormalFlip, IsNoneWithoutANormalBefore) {
-  EXPECT_FALSE(turns_too_far(Vector3::Zero(), {tilted(180), 1.0}, 0.0));
+  EXPECT_FALSE(turns_too_far(Vector3::Zero(), tilted(180), 0.0));
 }
 
 TEST(NormalFlip, IsNoneWithALimitOf180Degrees) { EXPECT_FALSE(turned(180, -1.0)); }

@@ -14,7 +14,7 @@ namespace {
 bool satisfied(const Shape& shape, Edge edge) {
   const WorkingMesh mesh = working_mesh(shape);
   EXPECT_TRUE(mesh.connectivity.has_edge(edge.a, edge.b)) << "the test names no edge";
-  EdgeNeighborhood around(shape.vertex_count());
+  EdgeNeighborhood around;
   around.gather(mesh.connectivity, edge);
   return satisfies_link_condition(mesh, around);
 }

@@ -20,9 +20,10 @@ EdgeCollapseParams custom(Quadrics quadrics = Quadrics::Accumulated,
 }
 
 template <class MetricType>
-Candidate evaluated(MetricType metric, Edge edge, Allowed allowed = Allowed::Anywhere) {
+Candidate evaluated(MetricType metric, Edge edge, Allowed allowed = Allowed::Anywhere,
+                    const Vector3& wings = Vector3::Zero()) {
   metric.initialize(Parallel(1));
-  return *metric.evaluate(edge, allowed);
+  return *metric.evaluate(edge, allowed, wings);
 }
 
 /// A ridge: two planes that meet in the y axis under 90 degrees, as a 2 x 4 lattice.
@@ -143,7 +144,7 @@ TEST(CurvatureWeightedMetric, IsTheQuadricTimesTheFactorOfBothEnds) {
   const WorkingMesh mesh = working_mesh(saddle(6));
   EdgeCollapseParams params = custom();
   params.alpha_units = AlphaUnits::ModelUnits, params.curvature_kind = CurvatureKind::Gaussian,
-  params.alpha = 0.1;
+  params.alpha = 0.1, params.curvature_of = CurvatureOf::Current;
   const double k =
       std::abs(vertex_curvature(mesh, 24).gaussian) + std::abs(vertex_curvature(mesh, 25).gaussian);
   const double plain = evaluated(QuadricMetric(mesh, params), {24, 25}, Allowed::OntoA).cost;
@@ -166,16 +167,15 @@ TEST(CurvatureWeightedMetric, WithInfiniteAlphaIsTheQuadric) {
 /// Collapses b of an edge into a as the operator does, and lets the metrics follow.
 template <class... Metrics>
 void collapse(WorkingMesh& mesh, Edge edge, const Vector3& x, Metrics&... metrics) {
-  EdgeNeighborhood around(mesh.connectivity.vertex_slots());
+  EdgeNeighborhood around;
   around.gather(mesh.connectivity, edge);
   const Collapse done{edge.a, edge.b, mesh.position[edge.a], mesh.position[edge.b], x, 0.5};
   (metrics.release(around), ...);
   mesh.position[edge.a] = x;
   mesh.connectivity.collapse(edge.a, edge.b);
   for (int f : around.star()) mesh.update_plane(f);
-  VertexMarks marks(mesh.connectivity.vertex_slots());
-  std::vector<int> ring;
-  for_each_neighbor(mesh.connectivity, edge.a, marks, [&](int u) { ring.push_back(u); });
+  VertexRing ring;
+  gather_ring(mesh, edge.a, ring);
   (metrics.merge(done, around, ring), ...);
 }
 
@@ -194,6 +194,7 @@ TEST(CurvatureWeightedMetric, SeesTheCurvatureOfTheCurrentMesh) {
   WorkingMesh mesh = working_mesh(torus(12, 8));
   EdgeCollapseParams params = custom(Quadrics::Memoryless);
   params.alpha_units = AlphaUnits::ModelUnits, params.alpha = 0.1, params.feature_angle = 180.0;
+  params.curvature_of = CurvatureOf::Current;
   CurvatureWeightedMetric weighted(mesh, params, 1.0);
   QuadricMetric plain(mesh, params);
   weighted.initialize(Parallel(1)), plain.initialize(Parallel(1));
@@ -201,9 +202,10 @@ TEST(CurvatureWeightedMetric, SeesTheCurvatureOfTheCurrentMesh) {
   for (Edge edge : {Edge{16, 24}, Edge{16, 17}, Edge{40, 41}})
     collapse(mesh, edge, mesh.position[edge.b] + Vector3(0.01, 0.02, 0.05), weighted, plain);
   for (Edge edge : edges_of(mesh)) {
-    const double expected = plain.evaluate(edge, Allowed::OntoA)->cost *
+    const double expected = plain.evaluate(edge, Allowed::OntoA, wings_of(mesh, edge))->cost *
                             -std::expm1(-0.1 * (absolute(edge.a) + absolute(edge.b)));
-    EXPECT_NEAR(weighted.evaluate(edge, Allowed::OntoA)->cost, expected, 1e-9 * expected);
+    EXPECT_NEAR(weighted.evaluate(edge, Allowed::OntoA, wings_of(mesh, edge))->cost, expected,
+                1e-9 * expected);
   }
 }
 
@@ -221,7 +223,8 @@ TEST(QuadricMetric, MemorylessIsOfTheCurrentMeshAndATenthOfTheInput) {
     const Vector3 step = mesh.position[edge.a] - mesh.position[edge.b];
     const Symmetric3 planes = plane_matrix(mesh, edge.b, PlaneWeight::Area) +
                               plane_matrix(input, edge.b, PlaneWeight::Area) * 0.1;
-    EXPECT_NEAR(metric.evaluate(edge, Allowed::OntoA)->cost, step.dot(planes * step), 1e-12);
+    EXPECT_NEAR(metric.evaluate(edge, Allowed::OntoA, wings_of(mesh, edge))->cost,
+                step.dot(planes * step), 1e-12);
   }
 }
 
@@ -269,11 +272,11 @@ TEST(Preset, SetsWhatItNamesAndLeavesTheMetric) {
   EXPECT_EQ(with_preset(params).quadrics, Quadrics::Memoryless);
   EXPECT_EQ(with_preset(params).placement, Placement::Optimal);
   EXPECT_EQ(with_preset(params).plane_weight, PlaneWeight::Area);
-  EXPECT_EQ(with_preset(params).scheduler, Scheduler::Lazy);
+  EXPECT_EQ(with_preset(params).scheduler, Scheduler::Rounds);
   EXPECT_EQ(with_preset(params).metric, Metric::CurvatureAdditive);
   params.preset = Preset::Fast;
   EXPECT_EQ(with_preset(params).quadrics, Quadrics::Accumulated);
-  EXPECT_EQ(with_preset(params).scheduler, Scheduler::Lazy);
+  EXPECT_EQ(with_preset(params).scheduler, Scheduler::Rounds);
   params.preset = Preset::Best;
   EXPECT_EQ(with_preset(params).quadrics, Quadrics::Memoryless);
   EXPECT_EQ(with_preset(params).scheduler, Scheduler::Eager);

@@ -27,10 +27,18 @@ INSTANTIATE_TEST_SUITE_P(Threads, ParallelWith, testing::Values(0, 1, 2, 3, 64))
 TEST(Parallel, UsesTheThreadsItIsGiven) {
   std::mutex mutex;
   std::set<std::thread::id> threads;
-  Parallel(4).for_each(100000, [&](int) {
-    const std::lock_guard lock(mutex);
-    threads.insert(std::this_thread::get_id());
-  });
+  const Parallel parallel(4);
+  std::atomic<int> together{0};
+  parallel.for_ranges(
+      4,
+      [&](int, int, int) {  // none ends before all have begun
+        {
+          const std::lock_guard lock(mutex);
+          threads.insert(std::this_thread::get_id());
+        }
+        for (++together; together < 4;) std::this_thread::yield();
+      },
+      Grain{1, 4});
   EXPECT_EQ(threads.size(), 4u);
 }
 

@@ -62,7 +62,7 @@ TEST(TriangleConnectivity, FindsEdgesFacesAndCorners) {
 
 TEST(TriangleConnectivity, RemovesAFace) {
   TriangleConnectivity two = connectivity_of(two_triangles());
-  two.remove_face(1);
+  two.count(two.remove_face(1));
   EXPECT_FALSE(two.alive(1));
   EXPECT_EQ(two.vertex_count(), 3);
   expect_consistent(two);
@@ -70,7 +70,7 @@ TEST(TriangleConnectivity, RemovesAFace) {
 
 TEST(TriangleConnectivity, CollapseRemovesTheWingsAndReconnectsTheStar) {
   TriangleConnectivity ball = connectivity_of(octahedron());
-  ball.collapse(0, 2);
+  ball.count(ball.collapse(0, 2));
   EXPECT_EQ(ball.face_count(), 6);
   EXPECT_EQ(ball.vertex_count(), 5);
   EXPECT_EQ(ball.faces_of(2).size(), 0);
@@ -81,7 +81,7 @@ TEST(TriangleConnectivity, CollapseRemovesTheWingsAndReconnectsTheStar) {
 TEST(TriangleConnectivity, CollapseKeepsTheOrientation) {
   TriangleConnectivity grid = connectivity_of(plane_grid(2));
   const Shape shape = plane_grid(2);
-  grid.collapse(4, 3);  // the centre takes in a neighbour on the boundary
+  grid.count(grid.collapse(4, 3));  // the centre takes in a neighbour on the boundary
   for (int f = 0; f < grid.face_slots(); ++f)
     EXPECT_TRUE(!grid.alive(f) || double_area(shape, grid.face(f)).z() > 0.0);
   expect_consistent(grid);
@@ -90,7 +90,7 @@ TEST(TriangleConnectivity, CollapseKeepsTheOrientation) {
 TEST(TriangleConnectivity, SurvivesAVertexThatSwallowsAllOthers) {
   TriangleConnectivity grid = connectivity_of(plane_grid(20));
   for (int v = 1; v < grid.vertex_slots() && grid.face_count() > 0; ++v) {
-    grid.collapse(0, v);
+    grid.count(grid.collapse(0, v));
     expect_consistent(grid);
   }
   EXPECT_EQ(grid.face_count(), 0);

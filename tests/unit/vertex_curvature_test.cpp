@@ -8,13 +8,17 @@
 #include "support/drawn_meshes.h"
 #include "support/properties.h"
 #include "support/working_mesh.h"
+#include "vcg_ext/curvature/curvature_field.h"
 #include "vcg_ext/curvature/curvature_weight.h"
 
 namespace curvdecim::test {
 namespace {
 
 std::vector<VertexCurvature> curvatures(const Shape& shape) {
-  return vertex_curvatures(working_mesh(shape), Parallel(1));
+  const WorkingMesh mesh = working_mesh(shape);
+  std::vector<VertexCurvature> all;
+  for (int v = 0; v < shape.vertex_count(); ++v) all.push_back(vertex_curvature(mesh, v));
+  return all;
 }
 
 VertexCurvature at_vertex(const Shape& shape, int v) {
@@ -87,21 +91,19 @@ TEST(CurvatureWeight, InModelUnitsIsThePapersFormula) {
   params.alpha = 0.01, params.alpha_units = AlphaUnits::ModelUnits,
   params.curvature_kind = CurvatureKind::Gaussian;
   const double diagonal = 10.0, k_model = 30.0;  // in the box of diagonal 1 that is K diagonal^2
-  EXPECT_NEAR(curvature_weight(params, {}, diagonal)(k_model * diagonal * diagonal),
+  EXPECT_NEAR(curvature_weight(params, 0.0, diagonal)(k_model * diagonal * diagonal),
               1.0 - std::exp(-0.01 * k_model), 1e-12);
   params.curvature_kind = CurvatureKind::Absolute;
-  EXPECT_NEAR(curvature_weight(params, {}, diagonal)(k_model * diagonal),
+  EXPECT_NEAR(curvature_weight(params, 0.0, diagonal)(k_model * diagonal),
               1.0 - std::exp(-0.01 * k_model), 1e-12);
 }
 
 TEST(CurvatureWeight, ScaleFreeIsRelativeToTheAreaWeightedMean) {
-  std::vector<VertexCurvature> curvature(2);
-  curvature[0].gaussian = 2.0, curvature[0].area = 3.0;
-  curvature[1].gaussian = -6.0, curvature[1].area = 1.0;
-  EXPECT_EQ(mean_curvature_of_kind(curvature, CurvatureKind::Gaussian), 3.0);
+  const CurvatureField field{{2.0, 6.0}, {3.0, 1.0}};
+  EXPECT_EQ(field.mean(), 3.0);
   CurvatureParams params;
-  params.alpha = 1.0, params.curvature_floor = 0.0, params.curvature_kind = CurvatureKind::Gaussian;
-  EXPECT_NEAR(curvature_weight(params, curvature, 5.0)(3.0), 1.0 - std::exp(-1.0), 1e-15);
+  params.alpha = 1.0, params.curvature_floor = 0.0;
+  EXPECT_NEAR(curvature_weight(params, field.mean(), 5.0)(3.0), 1.0 - std::exp(-1.0), 1e-15);
 }
 
 }  // namespace

@@ -28,9 +28,10 @@ class WedgeTextureOf : public testing::Test {
  protected:
   void collapse(int keep, int gone, const Vector3& now, bool cut) {
     WedgeTexture texture(wedges_of(mesh_, cut));
-    EdgeNeighborhood around(mesh_.connectivity.vertex_slots());
+    EdgeNeighborhood around;
     around.gather(mesh_.connectivity, {std::min(keep, gone), std::max(keep, gone)});
-    texture.before(mesh_, around, {keep, gone, mesh_.position[keep], mesh_.position[gone], now, 0});
+    texture.before(mesh_, around, {keep, gone, mesh_.position[keep], mesh_.position[gone], now, 0},
+                   0);
     star_ = around.star();
     mesh_.connectivity.collapse(keep, gone);
     for (int f = 0; f < mesh_.connectivity.face_slots(); ++f) after_.push_back(texture.of_face(f));

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "vcg_ext/connectivity/triangle_connectivity.h"
-#include "vcg_ext/connectivity/vertex_marks.h"
 
 namespace curvdecim {
 
@@ -18,8 +18,6 @@ inline constexpr Edge no_edge{-1, -1};
 /// and the faces that it reshapes (star). Reused from edge to edge.
 class EdgeNeighborhood {
  public:
-  explicit EdgeNeighborhood(int vertices) : around_a_(vertices) {}
-
   void gather(const TriangleConnectivity& connectivity, Edge edge) {
     edge_ = edge;
     wings_.clear(), thirds_.clear(), star_.clear();
@@ -31,32 +29,22 @@ class EdgeNeighborhood {
       wings_.push_back(f);
       thirds_.push_back(connectivity.third_vertex(f, edge.a, edge.b));
     }
+    star_of_a_ = star_.size();
     for (int f : connectivity.faces_of(edge.b))
       if (!connectivity.face_has(f, edge.a)) star_.push_back(f);
-    count_common_neighbors(connectivity);
   }
 
   Edge edge() const { return edge_; }
   const std::vector<int>& wings() const { return wings_; }
   const std::vector<int>& thirds() const { return thirds_; }
+  /// Those at edge().a come first.
   const std::vector<int>& star() const { return star_; }
-  int common_neighbors() const { return common_neighbors_; }
+  std::size_t star_of_a() const { return star_of_a_; }
 
  private:
-  void count_common_neighbors(const TriangleConnectivity& connectivity) {
-    around_a_.clear();
-    for (int f : connectivity.faces_of(edge_.a))
-      for (int v : connectivity.face(f)) around_a_.insert(v);
-    around_a_.erase(edge_.a), around_a_.erase(edge_.b);
-    common_neighbors_ = 0;
-    for (int f : connectivity.faces_of(edge_.b))
-      for (int v : connectivity.face(f)) common_neighbors_ += around_a_.erase(v);
-  }
-
   Edge edge_{};
   std::vector<int> wings_, thirds_, star_;
-  VertexMarks around_a_;
-  int common_neighbors_ = 0;
+  std::size_t star_of_a_ = 0;
 };
 
 inline bool is_boundary_edge(const TriangleConnectivity& connectivity, int a, int b) {
@@ -66,17 +54,6 @@ inline bool is_boundary_edge(const TriangleConnectivity& connectivity, int a, in
 /// An edge of the boundary, or one where more than two faces meet.
 inline bool is_singular_edge(const TriangleConnectivity& connectivity, int a, int b) {
   return connectivity.edge_valence(a, b) != 2;
-}
-
-/// Calls visit(u) once for every neighbour u of v.
-template <class Visit>
-void for_each_neighbor(const TriangleConnectivity& connectivity, int v, VertexMarks& marks,
-                       Visit visit) {
-  marks.clear();
-  marks.insert(v);
-  for (int f : connectivity.faces_of(v))
-    for (int u : connectivity.face(f))
-      if (marks.insert(u)) visit(u);
 }
 
 }  // namespace curvdecim

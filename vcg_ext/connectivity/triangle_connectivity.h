@@ -9,9 +9,22 @@ namespace curvdecim {
 
 using Face = std::array<int, 3>;
 
+/// What a change took away.
+struct Removed {
+  int faces = 0, vertices = 0;
+
+  Removed& operator+=(const Removed& o) {
+    faces += o.faces, vertices += o.vertices;
+    return *this;
+  }
+};
+
 /// Faces and, for every vertex, the list of the faces around it. The lists lie in one pool; a list
 /// that outgrows its room moves to the pool's end with room to double, so that a vertex that
 /// swallows thousands of neighbours costs amortised constant time and memory.
+///
+/// Collapses whose neighbourhoods share no vertex may run at the same time, if room was made for
+/// them before and what they removed is counted afterwards.
 class TriangleConnectivity {
  public:
   /// The faces around one vertex; valid until the next collapse.
@@ -77,6 +90,7 @@ class TriangleConnectivity {
   }
 
   bool has_edge(int a, int b) const {
+    if (faces_of(a).size() > faces_of(b).size()) std::swap(a, b);
     for (int f : faces_of(a))
       if (face_has(f, b)) return true;
     return false;
@@ -96,21 +110,36 @@ class TriangleConnectivity {
     return faces;
   }
 
-  void remove_face(int f) {
+  Removed remove_face(int f) {
+    Removed removed{1, 0};
     for (int v : faces_[f]) {
       erase(lists_[v], f);
-      vertex_count_ -= lists_[v].size == 0;
+      removed.vertices += lists_[v].size == 0;
     }
     faces_[f] = {dead, dead, dead};
-    --face_count_;
+    return removed;
   }
 
   /// Edge collapse: faces with both vertices go, `gone` becomes `keep` in the others.
-  void collapse(int keep, int gone) {
-    remove_shared_faces(keep, gone);
+  Removed collapse(int keep, int gone) {
+    Removed removed = remove_shared_faces(keep, gone);
     for (int f : faces_of(gone)) faces_[f][corner(f, gone)] = keep;
-    vertex_count_ -= lists_[keep].size > 0 && lists_[gone].size > 0;
+    removed.vertices += lists_[keep].size > 0 && lists_[gone].size > 0;
+    make_room(keep, gone);
     merge_lists(lists_[keep], lists_[gone]);
+    return removed;
+  }
+
+  /// So that the collapse of the edge moves no list but its own two.
+  void make_room(int a, int b) {
+    List& roomier = lists_[a].capacity < lists_[b].capacity ? lists_[b] : lists_[a];
+    reserve(roomier, lists_[a].size + lists_[b].size);
+  }
+
+  /// To be told of every change, so that the counts stay right.
+  void count(const Removed& removed) {
+    face_count_ -= removed.faces;
+    vertex_count_ -= removed.vertices;
   }
 
  private:
@@ -128,17 +157,18 @@ class TriangleConnectivity {
     --list.size;
   }
 
-  void remove_shared_faces(int keep, int gone) {
+  Removed remove_shared_faces(int keep, int gone) {
+    Removed removed;
     for (int i = lists_[gone].size - 1; i >= 0; --i) {
       const int f = pool_[lists_[gone].begin + i];
-      if (face_has(f, keep)) remove_face(f);
+      if (face_has(f, keep)) removed += remove_face(f);
     }
+    return removed;
   }
 
-  /// All of b's faces go to a; the roomier list stays where it is.
+  /// All of b's faces go to a; the roomier list stays where it is, and has room.
   void merge_lists(List& a, List& b) {
     if (a.capacity < b.capacity) std::swap(a, b);
-    reserve(a, a.size + b.size);
     std::copy_n(pool_.data() + b.begin, b.size, pool_.data() + a.begin + a.size);
     a.size += b.size;
     b.size = 0;

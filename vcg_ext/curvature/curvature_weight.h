@@ -2,37 +2,18 @@
 #pragma once
 
 #include <cmath>
-#include <vector>
 
-#include "vcg_ext/curvature/vertex_curvature.h"
-#include "vcg_ext/parallel.h"
+#include "vcg_ext/params.h"
 
 namespace curvdecim {
-
-/// Area-weighted mean of a curvature over the mesh: what 1 means in AlphaUnits::ScaleFree.
-inline double mean_curvature_of_kind(const std::vector<VertexCurvature>& curvature,
-                                     CurvatureKind kind) {
-  double sum = 0.0, area = 0.0;
-  for (const VertexCurvature& c : curvature) {
-    sum += c.of_kind(kind) * c.area;
-    area += c.area;
-  }
-  return area > 0.0 ? sum / area : 0.0;
-}
-
-inline std::vector<VertexCurvature> vertex_curvatures(const WorkingMesh& mesh,
-                                                      const Parallel& parallel) {
-  std::vector<VertexCurvature> curvature(mesh.position.size());
-  parallel.for_each(static_cast<int>(curvature.size()),
-                    [&](int v) { curvature[v] = vertex_curvature(mesh, v); });
-  return curvature;
-}
 
 /// The factor floor + (1 - floor) (1 - exp(-alpha k)) on the cost @cite pellizzoni2020. The paper
 /// has floor 0, which makes flat and cylindrical places free and their order arbitrary; the
 /// scale-free form keeps a floor.
 class CurvatureWeight {
  public:
+  CurvatureWeight() = default;
+
   /// alpha <= 0: 1 everywhere. unit: the curvature that counts as 1.
   CurvatureWeight(double alpha, double floor, double unit)
       : alpha_(alpha), floor_(floor), unit_(unit) {}
@@ -53,16 +34,15 @@ class CurvatureWeight {
  private:
   double factor(double saturation) const { return floor_ + (1.0 - floor_) * saturation; }
 
-  double alpha_, floor_, unit_;
+  double alpha_ = 0.0, floor_ = 1.0, unit_ = 1.0;
 };
 
-/// curvature: of the input in its box of diagonal 1; diagonal: of the input in its own unit.
-inline CurvatureWeight curvature_weight(const CurvatureParams& params,
-                                        const std::vector<VertexCurvature>& curvature,
+/// mean: of the curvature over the input in its box of diagonal 1; diagonal: of the input in its
+/// own unit.
+inline CurvatureWeight curvature_weight(const CurvatureParams& params, double mean,
                                         double diagonal) {
   if (params.alpha_units == AlphaUnits::ScaleFree)
-    return {params.alpha, params.curvature_floor,
-            mean_curvature_of_kind(curvature, params.curvature_kind)};
+    return {params.alpha, params.curvature_floor, mean};
   return {params.alpha, 0.0,
           params.curvature_kind == CurvatureKind::Gaussian ? diagonal * diagonal : diagonal};
 }

@@ -35,13 +35,22 @@ inline double corner_angle(const Vector3& apex, const Vector3& b, const Vector3&
   return std::atan2(u.cross(v).norm(), u.dot(v));
 }
 
+inline double sum_of_squared_edges(const Triangle& t) {
+  return (t[1] - t[0]).squaredNorm() + (t[2] - t[1]).squaredNorm() + (t[0] - t[2]).squaredNorm();
+}
+
+inline constexpr double four_root_three = 6.92820323027550917;
+
 /// 4 sqrt(3) area / sum of squared edges: 1 for the equilateral triangle, 0 without area
 /// @cite bhatia1990.
 inline double shape_quality(const Triangle& t, double area) {
-  constexpr double four_root_three = 6.92820323027550917;
-  const double edges =
-      (t[1] - t[0]).squaredNorm() + (t[2] - t[1]).squaredNorm() + (t[0] - t[2]).squaredNorm();
+  const double edges = sum_of_squared_edges(t);
   return edges > 0.0 ? four_root_three * area / edges : 0.0;
+}
+
+/// True if the shape_quality is below `quality`, without a division.
+inline bool is_worse_shaped(const Triangle& t, double area, double quality) {
+  return four_root_three * area < quality * sum_of_squared_edges(t);
 }
 
 }  // namespace curvdecim

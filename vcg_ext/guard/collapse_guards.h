@@ -15,6 +15,12 @@
 
 namespace curvdecim {
 
+/// Whether a collapse may be done.
+struct GuardAnswer {
+  std::optional<Rejection> refusal;  ///< nullopt: it may
+  double error_bound = 0.0;          ///< of the faces around, were it done; 0 without MaxError
+};
+
 /// All that may refuse a collapse once its kinds allow it: the cheap guards first.
 class CollapseGuards {
  public:
@@ -27,25 +33,23 @@ class CollapseGuards {
     for (const FacePlane& plane : mesh.plane) input_normal_.push_back(plane.normal);
   }
 
-  /// Why the edge may not collapse to x; nullopt: it may.
-  std::optional<Rejection> refusal(const EdgeNeighborhood& around, const Vector3& x) {
+  /// May the edge collapse to x?
+  GuardAnswer ask(const EdgeNeighborhood& around, const Vector3& x) const {
     if (link_condition_ && !satisfies_link_condition(mesh_, around))
-      return Rejection::LinkCondition;
+      return {Rejection::LinkCondition};
     for (int f : around.star())
       if (const auto reason = refusal_of_face(f, triangle_after(mesh_, f, around.edge(), x)))
-        return reason;
-    if (bound_.active() && !bound_.allows(asked_bound_ = bound_.after(mesh_, around, x)))
-      return Rejection::ErrorBound;
-    return std::nullopt;
+        return {reason};
+    if (!bound_.active()) return {};
+    const double bound = bound_.after(mesh_, around, x);
+    if (!bound_.allows(bound)) return {Rejection::ErrorBound};
+    return {std::nullopt, bound};
   }
 
-  /// To be told that the collapse last asked about, and not refused, is done.
-  void accept(const EdgeNeighborhood& around) {
-    if (bound_.active()) bound_.set(around, asked_bound_);
+  /// To be told of every collapse that is done, with the bound of the answer.
+  void accept(const EdgeNeighborhood& around, double error_bound) {
+    if (bound_.active()) bound_.set(around, error_bound);
   }
-
-  /// The guaranteed bound, in the unit of the working mesh; 0 without one.
-  double largest_error() const { return bound_.largest(); }
 
  private:
   static constexpr double least_shape_quality = 0.01;  // a needle of 1 : 100
@@ -56,13 +60,13 @@ class CollapseGuards {
 
   /// Turns are counted from the current normal and from the input's, so that many small ones cannot
   /// flip a face.
-  std::optional<Rejection> refusal_of_face(int f, const Triangle& triangle) const {
-    const FacePlane& before = mesh_.plane[f];
-    const FacePlane after = face_plane(triangle);
-    if (turns_too_far(before.normal, after, cos_normal_) ||
-        turns_too_far(input_normal_[f], after, cos_input_normal_))
+  std::optional<Rejection> refusal_of_face(int f, const Triangle& after) const {
+    const Vector3 area_vector = curvdecim::area_vector(after);
+    const double area = area_vector.norm();
+    if (turns_too_far(mesh_.plane[f].normal, area_vector, cos_normal_ * area) ||
+        turns_too_far(input_normal_[f], area_vector, cos_input_normal_ * area))
       return Rejection::NormalFlip;
-    if (spoils_shape(mesh_.triangle(f), before.area, triangle, after.area, least_shape_quality))
+    if (spoils_shape(mesh_.triangle(f), mesh_.plane[f].area, after, area, least_shape_quality))
       return Rejection::TriangleShape;
     return std::nullopt;
   }
@@ -72,7 +76,6 @@ class CollapseGuards {
   const double cos_normal_, cos_input_normal_;
   std::vector<Vector3> input_normal_;  // by face
   ErrorBound bound_;
-  double asked_bound_ = 0.0;  // of the collapse last asked about
 };
 
 }  // namespace curvdecim

@@ -25,6 +25,9 @@ class CollapseRule {
 
   std::optional<Allowed> operator()(Edge edge) const {
     const VertexKind a = mesh_.kind[edge.a], b = mesh_.kind[edge.b];
+    if (a == VertexKind::Interior && b == VertexKind::Interior && !mesh_.locked[edge.a] &&
+        !mesh_.locked[edge.b])
+      return Allowed::Anywhere;  // nearly all
     const bool a_stays = stays(edge.a), b_stays = stays(edge.b);
     if (a_stays && b_stays) return std::nullopt;
     if (a_stays) return may_go_onto(b, a) ? std::optional(Allowed::OntoA) : std::nullopt;

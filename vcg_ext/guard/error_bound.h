@@ -25,7 +25,7 @@ class ErrorBound {
   bool active() const { return limit_ > 0.0; }
 
   /// The bound of the new faces, were the edge collapsed to x.
-  double after(const WorkingMesh& mesh, const EdgeNeighborhood& around, const Vector3& x) {
+  double after(const WorkingMesh& mesh, const EdgeNeighborhood& around, const Vector3& x) const {
     double before = 0.0;
     for (const auto* faces : {&around.wings(), &around.star()})
       for (int f : *faces) before = std::max(before, of_face_[f]);
@@ -36,56 +36,57 @@ class ErrorBound {
 
   void set(const EdgeNeighborhood& around, double bound) {
     for (int f : around.star()) of_face_[f] = bound;
-    largest_ = std::max(largest_, bound);
   }
 
-  double largest() const { return largest_; }
-
  private:
+  using Patch = PatchDistance::Patch;
+
   /// How far the collapse moves a point at most.
-  double moved(const WorkingMesh& mesh, const EdgeNeighborhood& around, const Vector3& x) {
+  static double moved(const WorkingMesh& mesh, const EdgeNeighborhood& around, const Vector3& x) {
     const Vector3 &a = mesh.position[around.edge().a], &b = mesh.position[around.edge().b];
     const double linear =
         std::max((a - x).norm(), (b - x).norm());  // a and b go to x, the rest follows
-    after_.clear();
-    for (int f : around.star()) after_.push_back(triangle_after(mesh, f, around.edge(), x));
+    Patch after;
+    for (int f : around.star()) after.push_back(triangle_after(mesh, f, around.edge(), x));
     const double along =
-        around.wings().size() == 2 ? inner(mesh, around, x) : outer(mesh, around, x);
+        around.wings().size() == 2 ? inner(mesh, around, after, x) : outer(mesh, around, after, x);
     return std::min(linear, along);
   }
 
-  double inner(const WorkingMesh& mesh, const EdgeNeighborhood& around, const Vector3& x) {
-    before_.clear();
+  static double inner(const WorkingMesh& mesh, const EdgeNeighborhood& around, const Patch& after,
+                      const Vector3& x) {
+    Patch before;
     for (const auto* faces : {&around.wings(), &around.star()})
-      for (int f : *faces) before_.push_back(mesh.triangle(f));
-    return PatchDistance::bound(before_, after_, x).value_or(HUGE_VAL);
+      for (int f : *faces) before.push_back(mesh.triangle(f));
+    return PatchDistance::bound(before, after, x).value_or(HUGE_VAL);
   }
 
   /// On the boundary p a b q becomes p x q: first a and b go to the nearest points of their new
   /// edges and the point of ab nearest to x goes to x, then the outlines agree.
-  double outer(const WorkingMesh& mesh, const EdgeNeighborhood& around, const Vector3& x) {
+  static double outer(const WorkingMesh& mesh, const EdgeNeighborhood& around, const Patch& after,
+                      const Vector3& x) {
     const auto [a, b] = around.edge();
     const int p = boundary_neighbor(mesh, around, a), q = boundary_neighbor(mesh, around, b);
     if (around.wings().size() != 1 || p < 0 || q < 0) return HUGE_VAL;
     const Vector3 to_a = nearest_on(x, mesh.position[p], mesh.position[a]);
     const Vector3 to_b = nearest_on(x, mesh.position[q], mesh.position[b]);
     const Vector3 split = nearest_on(mesh.position[a], mesh.position[b], x);
-    before_.clear();
+    Patch before;
     for (int f : around.star())
-      before_.push_back(triangle_with(mesh, f, mesh.connectivity.face_has(f, a) ? a : b,
-                                      mesh.connectivity.face_has(f, a) ? to_a : to_b));
-    before_.push_back(half_wing(mesh, around, b, x, a, to_a));
-    before_.push_back(half_wing(mesh, around, a, x, b, to_b));
+      before.push_back(triangle_with(mesh, f, mesh.connectivity.face_has(f, a) ? a : b,
+                                     mesh.connectivity.face_has(f, a) ? to_a : to_b));
+    before.push_back(half_wing(mesh, around, b, x, a, to_a));
+    before.push_back(half_wing(mesh, around, a, x, b, to_b));
     const double slide = std::max(
         {(to_a - mesh.position[a]).norm(), (to_b - mesh.position[b]).norm(), (split - x).norm()});
-    drop_flat();
-    return slide + PatchDistance::bound(before_, after_, x).value_or(HUGE_VAL);
+    drop_flat(before);
+    return slide + PatchDistance::bound(before, after, x).value_or(HUGE_VAL);
   }
 
   /// A slid vertex may lie on the outline's corner: its triangles there have lost their area.
-  void drop_flat() {
+  static void drop_flat(Patch& patch) {
     const auto flat = [](const Triangle& t) { return !(area_vector(t).squaredNorm() > 0.0); };
-    before_.erase(std::remove_if(before_.begin(), before_.end(), flat), before_.end());
+    patch.erase(std::remove_if(patch.begin(), patch.end(), flat), patch.end());
   }
 
   static Triangle triangle_with(const WorkingMesh& mesh, int f, int v, const Vector3& at) {
@@ -122,9 +123,8 @@ class ErrorBound {
     return found;
   }
 
-  double limit_, largest_ = 0.0;
+  double limit_;
   std::vector<double> of_face_;
-  PatchDistance::Patch before_, after_;  // scratch
 };
 
 }  // namespace curvdecim

@@ -1,10 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+#include <vector>
+
 #include "vcg_ext/connectivity/edge_neighborhood.h"
 #include "vcg_ext/mesh/working_mesh.h"
 
 namespace curvdecim {
+
+/// True if the ends have a common neighbour other than the third vertices of the faces at the edge.
+inline bool has_other_common_neighbor(const TriangleConnectivity& connectivity,
+                                      const EdgeNeighborhood& around) {
+  const auto [a, b] = around.edge();
+  const std::vector<int>& thirds = around.thirds();
+  for (std::size_t i = around.star_of_a(); i < around.star().size(); ++i)
+    for (int u : connectivity.face(around.star()[i]))
+      if (u != b && std::find(thirds.begin(), thirds.end(), u) == thirds.end() &&
+          connectivity.has_edge(a, u))
+        return true;
+  return false;
+}
 
 /// Link condition @cite dey1999: the links of both ends meet in the link of the edge and nowhere
 /// else, and the same holds within the graph of singular edges. So no hole closes or merges with
@@ -13,7 +29,7 @@ inline bool satisfies_link_condition(const WorkingMesh& mesh, const EdgeNeighbor
   const TriangleConnectivity& connectivity = mesh.connectivity;
   const auto [a, b] = around.edge();
   const std::vector<int>& thirds = around.thirds();
-  if (around.common_neighbors() != static_cast<int>(thirds.size())) return false;
+  if (has_other_common_neighbor(connectivity, around)) return false;
   if (mesh.kind[a] != VertexKind::Interior && mesh.kind[b] != VertexKind::Interior &&
       thirds.size() == 2)
     return false;

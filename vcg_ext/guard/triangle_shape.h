@@ -9,8 +9,8 @@ namespace curvdecim {
 /// shape_quality.
 inline bool spoils_shape(const Triangle& before, double area_before, const Triangle& after,
                          double area_after, double least) {
-  const double quality = shape_quality(after, area_after);
-  return quality < least && quality < shape_quality(before, area_before);
+  if (!is_worse_shaped(after, area_after, least)) return false;
+  return is_worse_shaped(after, area_after, shape_quality(before, area_before));
 }
 
 }  // namespace curvdecim

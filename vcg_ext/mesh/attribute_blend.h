@@ -13,9 +13,11 @@ namespace curvdecim {
 
 /// The attributes of `keep` become the weighted sum of those of three vertices.
 struct BlendStep {
-  int keep;
-  Face from;
-  Barycentric weight;
+  static constexpr int none = -1;
+
+  int keep = none;  ///< none: nothing changes
+  Face from{};
+  Barycentric weight{};
 };
 
 /// Notes for every collapse where, on the surface just before it, the merged vertex takes its
@@ -26,11 +28,12 @@ class BlendRecord : public CollapseObserver {
  public:
   explicit BlendRecord(bool over_surface = true) : over_surface_(over_surface) {}
 
-  void before(const WorkingMesh& mesh, const EdgeNeighborhood& around,
-              const Collapse& collapse) override {
+  void make_room(int count) override { steps_.resize(count); }
+
+  void before(const WorkingMesh& mesh, const EdgeNeighborhood& around, const Collapse& collapse,
+              int number) override {
     if (collapse.now == collapse.keep_was) return;
-    steps_.push_back(over_surface_ ? nearest_on_surface(mesh, around, collapse)
-                                   : on_edge(collapse));
+    steps_[number] = over_surface_ ? nearest_on_surface(mesh, around, collapse) : on_edge(collapse);
   }
 
   const std::vector<BlendStep>& steps() const { return steps_; }
@@ -76,6 +79,7 @@ bool is_finite(const Vector& value) {
 template <class Value>
 void replay(const std::vector<BlendStep>& steps, std::vector<Value>& values) {
   for (const BlendStep& step : steps) {
+    if (step.keep == BlendStep::none) continue;
     Value sum = values[step.keep];
     double weights = 0.0;
     for (int i = 0; i < 3; ++i) {

@@ -69,8 +69,8 @@ inline int target_faces(const DecimationParams& params, int candidates) {
   return params.target_faces == DecimationParams::no_target ? 0 : params.target_faces;
 }
 
-/// Border vertices that lie where another one lies: faces that were never joined. Vertices are in the
-/// order of a space-filling curve, so that coincident ones are neighbours.
+/// Border vertices that lie where another one lies: faces that were never joined. Vertices are in
+/// the order of a space-filling curve, so that coincident ones are neighbours.
 inline int count_coincident_borders(const WorkingMesh& mesh) {
   int count = 0;
   for (std::size_t v = 1; v < mesh.position.size(); ++v)
@@ -89,9 +89,10 @@ inline void note_repairs(const Snapshot& snapshot, DecimationReport& report) {
     report.notes.push_back(std::to_string(non_manifold) +
                            " vertices are non-manifold; there will not be more.");
   if (const int coincident = count_coincident_borders(snapshot.mesh); coincident > 0)
-    report.notes.push_back(std::to_string(coincident) +
-                           " border vertices lie where another one lies. Such seams do not close and "
-                           "hinder decimation; merge close vertices first.");
+    report.notes.push_back(
+        std::to_string(coincident) +
+        " border vertices lie where another one lies. Such seams do not close and "
+        "hinder decimation; merge close vertices first.");
 }
 
 inline void require_target(const DecimationParams& params) {
@@ -136,7 +137,8 @@ std::optional<StopCriterion> set_up(const MeshType& mesh, const DecimationParams
                            : 0;
   const int unused = mesh.vn - snapshot.mesh.connectivity.vertex_count();
   return StopCriterion{target + static_cast<int>(outside),
-                       by_vertices ? std::max(0, params.target_vertices - unused) : 0};
+                       by_vertices ? std::max(0, params.target_vertices - unused) : 0,
+                       snapshot.mesh.connectivity.face_count()};
 }
 
 /// What is left, and why it is more than was asked for.

@@ -28,12 +28,14 @@ class WedgeTexture : public CollapseObserver {
  public:
   explicit WedgeTexture(std::vector<FaceWedges> wedges) : wedges_(std::move(wedges)) {}
 
-  void before(const WorkingMesh& mesh, const EdgeNeighborhood& around,
-              const Collapse& collapse) override {
-    charts_.clear();
-    for (int f : around.wings()) join_chart(mesh, f, collapse);
-    for (int f : around.star()) join_chart(mesh, f, collapse);
-    for (const Chart& chart : charts_) move_corners(mesh, chart, around, collapse);
+  void make_room(int) override {}
+
+  void before(const WorkingMesh& mesh, const EdgeNeighborhood& around, const Collapse& collapse,
+              int) override {
+    std::vector<Chart> charts;
+    for (const auto* faces : {&around.wings(), &around.star()})
+      for (int f : *faces) join_chart(mesh, f, collapse, charts);
+    for (const Chart& chart : charts) move_corners(mesh, chart, around, collapse);
   }
 
   const FaceWedges& of_face(int f) const { return wedges_[f]; }
@@ -48,18 +50,19 @@ class WedgeTexture : public CollapseObserver {
     std::vector<int> faces;
   };
 
-  void join_chart(const WorkingMesh& mesh, int f, const Collapse& collapse) {
+  void join_chart(const WorkingMesh& mesh, int f, const Collapse& collapse,
+                  std::vector<Chart>& charts) const {
     std::vector<Corner> corners;
     for (int i = 0; i < 3; ++i)
       if (const int v = mesh.connectivity.face(f)[i]; v == collapse.keep || v == collapse.gone)
         corners.push_back({v, wedges_[f][i]});
-    for (Chart& chart : charts_)
+    for (Chart& chart : charts)
       if (shares_corner(chart, corners)) {
         chart.corners.insert(chart.corners.end(), corners.begin(), corners.end());
         chart.faces.push_back(f);
         return;
       }
-    charts_.push_back({corners, {f}});
+    charts.push_back({corners, {f}});
   }
 
   static bool shares_corner(const Chart& chart, const std::vector<Corner>& corners) {
@@ -107,7 +110,6 @@ class WedgeTexture : public CollapseObserver {
   }
 
   std::vector<FaceWedges> wedges_;  // by face
-  std::vector<Chart> charts_;       // scratch
 };
 
 }  // namespace curvdecim

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "vcg_ext/connectivity/triangle_connectivity.h"
@@ -11,11 +12,11 @@ namespace curvdecim {
 
 /// The mesh while it is decimated: index arrays in a box of diagonal 1 around the origin.
 struct WorkingMesh {
-  std::vector<Vector3> position;   // by vertex
-  std::vector<VertexKind> kind;    // by vertex
-  std::vector<bool> locked;        // by vertex: must stay where it is
-  std::vector<FacePlane> plane;    // by face
-  std::vector<double> importance;  // by vertex: factor on the cost; empty: 1 everywhere
+  std::vector<Vector3> position;     // by vertex
+  std::vector<VertexKind> kind;      // by vertex
+  std::vector<std::uint8_t> locked;  // by vertex: 1 must stay where it is
+  std::vector<FacePlane> plane;      // by face
+  std::vector<double> importance;    // by vertex: factor on the cost; empty: 1 everywhere
   TriangleConnectivity connectivity;
 
   Triangle triangle(int f) const {

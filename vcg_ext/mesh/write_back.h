@@ -128,7 +128,8 @@ class WriteBack {
     for (std::size_t v = 0; v < values.size(); ++v) values[v] = read(vertex(static_cast<int>(v)));
     replay(steps, values);
     std::vector<bool> changed(values.size(), false);
-    for (const BlendStep& step : steps) changed[step.keep] = true;
+    for (const BlendStep& step : steps)
+      if (step.keep != BlendStep::none) changed[step.keep] = true;
     for (std::size_t v = 0; v < values.size(); ++v)
       if (changed[v]) write(vertex(static_cast<int>(v)), values[v]);
   }

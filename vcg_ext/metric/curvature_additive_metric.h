@@ -18,16 +18,15 @@ class CurvatureAdditiveMetric {
 
   void initialize(const Parallel& parallel) { quadric_.initialize(parallel); }
 
-  std::optional<Candidate> evaluate(Edge edge, Allowed allowed) const {
-    std::optional<Candidate> candidate = quadric_.evaluate(edge, allowed);
+  std::optional<Candidate> evaluate(Edge edge, Allowed allowed, const Vector3& wings) const {
+    std::optional<Candidate> candidate = quadric_.evaluate(edge, allowed, wings);
     if (candidate) candidate->cost += params_.lambda * plane_unit(edge) * edge_curvature(edge);
     return candidate;
   }
 
   void release(const EdgeNeighborhood& around) { quadric_.release(around); }
 
-  void merge(const Collapse& collapse, const EdgeNeighborhood& around,
-             const std::vector<int>& ring) {
+  void merge(const Collapse& collapse, const EdgeNeighborhood& around, const VertexRing& ring) {
     quadric_.merge(collapse, around, ring);
   }
 

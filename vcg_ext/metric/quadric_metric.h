@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "vcg_ext/mesh/vertex_ring.h"
 #include "vcg_ext/metric/candidate.h"
 #include "vcg_ext/metric/constraint_quadrics.h"
 #include "vcg_ext/metric/plane_quadrics.h"
@@ -24,24 +25,24 @@ class QuadricMetric {
   void initialize(const Parallel& parallel) {
     const std::vector<Symmetric3> constraints =
         ConstraintQuadrics(mesh_, params_, params_.plane_weight).build();
-    carried_.resize(mesh_.position.size());
-    quadric_.resize(memoryless_ ? carried_.size() : 0);
-    gradient_.resize(quadric_.size());
-    parallel.for_each(static_cast<int>(carried_.size()), [&](int v) {
-      carried_[v].a = plane_matrix(mesh_, v, params_.plane_weight);
-      if (!constraints.empty()) carried_[v].a += constraints[v];
-      if (memoryless_) carried_[v].a = carried_[v].a * memory;
+    sum_.resize(mesh_.position.size());
+    memory_.resize(memoryless_ ? sum_.size() : 0);
+    parallel.for_each(static_cast<int>(sum_.size()), [&](int v) {
+      Symmetric3& carried = memoryless_ ? memory_[v] : sum_[v].quadric.a;
+      carried = plane_matrix(mesh_, v, params_.plane_weight);
+      if (!constraints.empty()) carried += constraints[v];
+      if (memoryless_) carried = carried * memory;
       if (memoryless_) recompute(v);
     });
   }
 
-  std::optional<Candidate> evaluate(Edge edge, Allowed allowed) const {
+  /// wings: sum of the area vectors of the faces at the edge.
+  std::optional<Candidate> evaluate(Edge edge, Allowed allowed, const Vector3& wings) const {
     const Vector3 &a = mesh_.position[edge.a], &b = mesh_.position[edge.b];
     const Vector3 half = 0.5 * (b - a);
-    const std::vector<Quadric>& quadrics = memoryless_ ? quadric_ : carried_;
-    const Quadric q = sum_about_midpoint(quadrics[edge.a], quadrics[edge.b], half);
+    const Quadric q = sum_about_midpoint(sum_[edge.a].quadric, sum_[edge.b].quadric, half);
     const Placed placed =
-        place(q, half, allowed, params_.placement, volume_plane(edge, half, allowed));
+        place(q, half, allowed, params_.placement, volume_plane(edge, half, allowed, wings));
     double cost = placed.value;
     if (cost <= rounding * rounding * half.squaredNorm() * q.a.trace()) cost = 0.0;
     if (placed.offset == -half) return Candidate{cost, a, 0.0};  // not rounded: the vertex itself
@@ -56,22 +57,23 @@ class QuadricMetric {
       for (int f : *faces) add_face(f, -1.0, around.edge());
   }
 
-  /// After it: the faces that remain are back in their new shape. ring: the neighbours of
-  /// collapse.keep.
-  void merge(const Collapse& collapse, const EdgeNeighborhood& around,
-             const std::vector<int>& ring) {
+  /// After it: the faces that remain are back in their new shape. ring: around collapse.keep.
+  void merge(const Collapse& collapse, const EdgeNeighborhood& around, const VertexRing& ring) {
     const auto [keep, gone, keep_was, gone_was, now, t] = collapse;
-    carried_[keep] = carried_[keep].with_origin_moved(now - keep_was) +
-                     carried_[gone].with_origin_moved(now - gone_was);
-    if (!memoryless_) return;
-    quadric_[keep] = carried_[keep];
-    gradient_[keep] = Vector3::Zero();
+    if (!memoryless_) {
+      sum_[keep].quadric = sum_[keep].quadric.with_origin_moved(now - keep_was) +
+                           sum_[gone].quadric.with_origin_moved(now - gone_was);
+      return;
+    }
+    sum_[keep] = {remembered(keep).with_origin_moved(now - keep_was) +
+                  remembered(gone).with_origin_moved(now - gone_was)};
+    memory_[keep] = sum_[keep].quadric.a;
     for (int f : around.star())
       if (mesh_.connectivity.alive(f)) add_face(f, 1.0, no_edge);
     if (mesh_.kind[keep] == VertexKind::Interior) return;
     recompute(keep);
-    for (int v : ring)
-      if (mesh_.kind[v] == VertexKind::Boundary) recompute(v);
+    for (const RingVertex& u : ring)
+      if (mesh_.kind[u.vertex] == VertexKind::Boundary) recompute(u.vertex);
   }
 
  private:
@@ -83,44 +85,50 @@ class QuadricMetric {
   /// worn away collapse by collapse, too little to show elsewhere.
   static constexpr double memory = 0.1;
 
+  /// What an evaluation reads of a vertex.
+  struct Sum {
+    Quadric quadric;  // about the vertex; memoryless: of the planes remembered and current
+    Vector3 gradient = Vector3::Zero();  // memoryless: volume_gradient
+  };
+
   /// To the sums of the corners that are not on the edge.
   void add_face(int f, double sign, Edge edge) {
     const Symmetric3 plane = plane_matrix_of_face(mesh_, f, params_.plane_weight) * sign;
     const Vector3 area_vector = (sign * mesh_.plane[f].area) * mesh_.plane[f].normal;
     for (int v : mesh_.connectivity.face(f)) {
       if (v == edge.a || v == edge.b) continue;
-      quadric_[v].a += plane;
-      gradient_[v] += area_vector;
+      sum_[v].quadric.a += plane;
+      sum_[v].gradient += area_vector;
     }
   }
 
+  /// All current planes pass through the vertex, so that they add to the matrix only.
+  Quadric remembered(int v) const { return {memory_[v], sum_[v].quadric.b, sum_[v].quadric.c}; }
+
   void recompute(int v) {
-    quadric_[v] = carried_[v];
-    quadric_[v].a += plane_matrix(mesh_, v, params_.plane_weight);
+    Symmetric3& sum = sum_[v].quadric.a;
+    sum = memory_[v] + plane_matrix(mesh_, v, params_.plane_weight);
     if (mesh_.kind[v] == VertexKind::Boundary)
-      quadric_[v].a += boundary_matrix(mesh_, v, params_.plane_weight) * params_.boundary_weight;
-    gradient_[v] = volume_gradient(mesh_, v);
+      sum += boundary_matrix(mesh_, v, params_.plane_weight) * params_.boundary_weight;
+    sum_[v].gradient = volume_gradient(mesh_, v);
   }
 
   /// The two faces at the edge lie around both ends and count once. None where the volume is not
   /// defined: on boundaries and curves.
-  std::optional<VolumePlane> volume_plane(Edge edge, const Vector3& half, Allowed allowed) const {
+  std::optional<VolumePlane> volume_plane(Edge edge, const Vector3& half, Allowed allowed,
+                                          const Vector3& wings) const {
     if (!memoryless_ || allowed != Allowed::Anywhere || params_.placement != Placement::Optimal ||
         mesh_.kind[edge.a] != VertexKind::Interior)
       return std::nullopt;
-    Vector3 gradient = gradient_[edge.a] + gradient_[edge.b];
-    for (int f : mesh_.connectivity.faces_of(edge.a))
-      if (mesh_.connectivity.face_has(f, edge.b))
-        gradient -= mesh_.plane[f].area * mesh_.plane[f].normal;
-    return VolumePlane{gradient, half.dot(gradient_[edge.b] - gradient_[edge.a])};
+    const Vector3 &a = sum_[edge.a].gradient, &b = sum_[edge.b].gradient;
+    return VolumePlane{a + b - wings, half.dot(b - a)};
   }
 
   const WorkingMesh& mesh_;
   const EdgeCollapseParams& params_;
   const bool memoryless_;
-  std::vector<Quadric> carried_;   // by vertex, about the vertex: summed along the collapses
-  std::vector<Quadric> quadric_;   // by vertex, about the vertex: carried_ and the current faces
-  std::vector<Vector3> gradient_;  // by vertex: volume_gradient
+  std::vector<Sum> sum_;            // by vertex
+  std::vector<Symmetric3> memory_;  // by vertex, memoryless: of the input's planes it has met
 };
 
 }  // namespace curvdecim

@@ -10,8 +10,14 @@ namespace curvdecim {
 class CollapseObserver {
  public:
   virtual ~CollapseObserver() = default;
+
+  /// Before collapses with numbers below `count`.
+  virtual void make_room(int count) = 0;
+
+  /// number: counts the collapses in the order in which they can be replayed. Collapses whose
+  /// neighbourhoods share no vertex may be told at the same time.
   virtual void before(const WorkingMesh& mesh, const EdgeNeighborhood& around,
-                      const Collapse& collapse) = 0;
+                      const Collapse& collapse, int number) = 0;
 };
 
 }  // namespace curvdecim

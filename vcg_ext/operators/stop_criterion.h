@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+
 #include "vcg_ext/mesh/working_mesh.h"
 
 namespace curvdecim {
@@ -9,9 +11,18 @@ namespace curvdecim {
 struct StopCriterion {
   int faces = 0;     ///< stop at this many faces of the working mesh
   int vertices = 0;  ///< stop at this many vertices of the working mesh
+  int start = 0;     ///< faces of the working mesh at the start
 
-  bool reached(const TriangleConnectivity& connectivity) const {
-    return connectivity.face_count() <= faces || connectivity.vertex_count() <= vertices;
+  /// once_removed: what is about to go.
+  bool reached(const TriangleConnectivity& connectivity, const Removed& once_removed = {}) const {
+    return connectivity.face_count() - once_removed.faces <= faces ||
+           connectivity.vertex_count() - once_removed.vertices <= vertices;
+  }
+
+  /// The part of the faces to go that is gone, 0..1.
+  double progress(const TriangleConnectivity& connectivity) const {
+    const double all = std::max(1, start - faces);
+    return std::clamp((start - connectivity.face_count()) / all, 0.0, 1.0);
   }
 };
 

@@ -2,23 +2,20 @@
 #pragma once
 
 #include <cstddef>
-#include <limits>
 #include <vector>
 
 namespace curvdecim {
 
-/// 4-ary minimum heap of (key, tie, index) with at most one entry per index; equal keys leave in
-/// the order of the tie, then of the index, so that the sequence does not depend on the history.
+/// 4-ary minimum heap of (key, index) with at most one entry per index; equal keys leave in the
+/// order of the index, so that the sequence does not depend on the history. A default Key comes
+/// after all others.
+template <class Key>
 class IndexedHeap {
  public:
   struct Entry {
-    double key;
-    float tie;
+    Key key;
     int index;
-    bool operator<(const Entry& o) const {
-      if (key != o.key) return key < o.key;
-      return tie != o.tie ? tie < o.tie : index < o.index;
-    }
+    bool operator<(const Entry& o) const { return key == o.key ? index < o.index : key < o.key; }
   };
 
   explicit IndexedHeap(std::size_t indices) : slot_(indices, absent) {}
@@ -26,22 +23,22 @@ class IndexedHeap {
   bool empty() const { return entries_.empty(); }
   std::size_t size() const { return entries_.size(); }
   const Entry& top() const { return entries_.front(); }
-  /// The least key but the top's; infinite where there is none.
-  double second_key() const {
+  /// The least key but the top's.
+  Key second_key() const {
     const int second = least_child(0);
-    return second == absent ? std::numeric_limits<double>::infinity() : entries_[second].key;
+    return second == absent ? Key() : entries_[second].key;
   }
   bool contains(int index) const { return slot_[index] != absent; }
   const Entry& entry(int index) const { return entries_[slot_[index]]; }
 
   /// Inserts the index or changes its key.
-  void set(int index, double key, float tie = 0.0f) {
+  void set(int index, const Key& key) {
     if (!contains(index)) {
       entries_.push_back({});
-      place(static_cast<int>(entries_.size()) - 1, {key, tie, index});
+      place(static_cast<int>(entries_.size()) - 1, {key, index});
       sift_up(slot_[index]);
     } else {
-      entries_[slot_[index]] = {key, tie, index};
+      entries_[slot_[index]] = {key, index};
       sift_up(slot_[index]);
       sift_down(slot_[index]);
     }

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "vcg_ext/curvature/vertex_curvature.h"
+#include "vcg_ext/parallel.h"
+
+namespace curvdecim {
+
+/// The curvature at the vertices of the mesh while it is decimated, brought up to date around each
+/// collapse @cite pellizzoni2020.
+class CurrentCurvature {
+ public:
+  explicit CurrentCurvature(const WorkingMesh& mesh) : mesh_(mesh) {}
+
+  void initialize(const Parallel& parallel) {
+    angles_.resize(mesh_.plane.size());
+    sums_.resize(mesh_.position.size());
+    parallel.for_each(static_cast<int>(angles_.size()), [this](int f) { update_angles(f); });
+    parallel.for_each(static_cast<int>(sums_.size()), [this](int v) {
+      sums_[v] = curvature_sums(mesh_, v, [this](int f, int i) { return angles_[f][i]; });
+    });
+  }
+
+  VertexCurvature at(int v) const { return sums_[v].curvature(mesh_.kind[v]); }
+
+  /// Before a collapse: the faces around the edge leave the vertices that will remain.
+  void release(const EdgeNeighborhood& around) {
+    for (const auto* faces : {&around.wings(), &around.star()})
+      for (int f : *faces) add(f, -1.0, around.edge());
+  }
+
+  /// After it: the faces that remain are back in their new shape.
+  void merge(int keep, const EdgeNeighborhood& around) {
+    sums_[keep] = {};
+    for (int f : around.star()) {
+      if (!mesh_.connectivity.alive(f)) continue;
+      update_angles(f);
+      add(f, 1.0, no_edge);
+    }
+  }
+
+ private:
+  /// To the sums of the corners that are not on the edge.
+  void add(int f, double sign, Edge edge) {
+    for (int i = 0; i < 3; ++i)
+      if (const int v = mesh_.connectivity.face(f)[i]; v != edge.a && v != edge.b)
+        sums_[v].add(mesh_, f, i, angles_[f][i], sign);
+  }
+
+  void update_angles(int f) {
+    const double first = corner_angle(mesh_, f, 0), second = corner_angle(mesh_, f, 1);
+    angles_[f] = {first, second, std::max(M_PI - first - second, 0.0)};
+  }
+
+  const WorkingMesh& mesh_;
+  std::vector<std::array<double, 3>> angles_;  // by face and corner
+  std::vector<CurvatureSums> sums_;            // by vertex
+};
+
+}  // namespace curvdecim

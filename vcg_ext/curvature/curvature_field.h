@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "vcg_ext/curvature/vertex_curvature.h"
+#include "vcg_ext/mesh/vertex_ring.h"
+#include "vcg_ext/parallel.h"
+
+namespace curvdecim {
+
+/// Curvature of one kind over a mesh, in the unit of its positions.
+struct CurvatureField {
+  std::vector<double> value, area;  // by vertex
+
+  /// Area-weighted; 0 where there is no area.
+  double mean() const {
+    double sum = 0.0, total = 0.0;
+    for (std::size_t v = 0; v < value.size(); ++v) sum += value[v] * area[v], total += area[v];
+    return total > 0.0 ? sum / total : 0.0;
+  }
+};
+
+inline CurvatureField curvature_field(const WorkingMesh& mesh, CurvatureKind kind,
+                                      const Parallel& parallel) {
+  const std::size_t count = mesh.position.size();
+  CurvatureField field{std::vector<double>(count), std::vector<double>(count)};
+  parallel.for_each(static_cast<int>(count), [&](int v) {
+    const VertexCurvature curvature = vertex_curvature(mesh, v);
+    field.value[v] = curvature.of_kind(kind), field.area[v] = curvature.area;
+  });
+  return field;
+}
+
+/// Each vertex gets the mean of its own value and its neighbours': the curvature of single vertices
+/// is mostly noise.
+inline void average_over_rings(const WorkingMesh& mesh, CurvatureField& field,
+                               const Parallel& parallel) {
+  const std::vector<double> value = field.value;
+  parallel.for_ranges(static_cast<int>(value.size()), [&](int begin, int end, int) {
+    VertexRing ring;
+    for (int v = begin; v < end; ++v) {
+      gather_ring(mesh, v, ring);
+      double sum = value[v];
+      for (const RingVertex& u : ring) sum += value[u.vertex];
+      field.value[v] = sum / static_cast<double>(ring.size() + 1);
+    }
+  });
+}
+
+/// What the parameters make of the mesh as it is.
+inline CurvatureField curvature_field(const WorkingMesh& mesh, const CurvatureParams& params,
+                                      const Parallel& parallel) {
+  CurvatureField field = curvature_field(mesh, params.curvature_kind, parallel);
+  if (params.curvature_of == CurvatureOf::Input) average_over_rings(mesh, field, parallel);
+  return field;
+}
+
+}  // namespace curvdecim

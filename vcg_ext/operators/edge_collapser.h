@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <optional>
+#include <vector>
+
+#include "vcg_ext/guard/collapse_guards.h"
+#include "vcg_ext/guard/collapse_rule.h"
+#include "vcg_ext/mesh/vertex_ring.h"
+#include "vcg_ext/operators/collapse_observer.h"
+#include "vcg_ext/params.h"
+#include "vcg_ext/queue/edge_choices.h"
+
+namespace curvdecim {
+
+/// Evaluates edges, asks the guards, does single collapses: what every schedule shares. Calls that
+/// look may run at the same time, and so may collapses whose neighbourhoods share no vertex.
+///
+/// `Metric` has initialize(parallel), evaluate(edge, allowed, wings) -> optional<Candidate>,
+/// release(around) before a collapse and merge(collapse, around, ring) after it.
+template <class MetricType>
+class EdgeCollapser {
+ public:
+  /// Reused from edge to edge; every thread has its own.
+  struct Scratch {
+    EdgeNeighborhood around;  // of the edge asked about or collapsed last
+    VertexRing ring;          // of the vertex last chosen for, or merged
+    std::vector<EdgeChoice> options;
+  };
+
+  EdgeCollapser(WorkingMesh& mesh, MetricType& metric, const DecimationParams& params)
+      : mesh_(mesh),
+        metric_(metric),
+        topology_(params.preserve_topology),
+        rule_(mesh, params),
+        guards_(mesh, params) {}
+
+  void add_observer(CollapseObserver& observer) { observers_.push_back(&observer); }
+
+  // --- candidates -------------------------------------------------------------------------------
+
+  /// nullopt: the kinds of its ends, or the metric, forbid it.
+  std::optional<Candidate> evaluate(Edge edge) const {
+    return evaluate(edge, wings_of(mesh_, edge));
+  }
+
+  /// The edge between v and its neighbour, as a choice of its lower vertex; none where it may not
+  /// collapse.
+  EdgeChoice choice(int v, const RingVertex& neighbor) const {
+    const Edge edge{std::min(v, neighbor.vertex), std::max(v, neighbor.vertex)};
+    const std::optional<Candidate> candidate = evaluate(edge, neighbor.wings);
+    if (!candidate) return {};
+    return {priority(edge, candidate->cost), edge.b};
+  }
+
+  Priority priority(Edge edge, double cost) const {
+    return {cost, (mesh_.position[edge.a] - mesh_.position[edge.b]).squaredNorm()};
+  }
+
+  /// The cheapest edge of v to a neighbour with a higher index.
+  EdgeChoice cheapest(int v, Scratch& scratch) const {
+    gather_options(v, scratch);
+    if (scratch.options.empty()) return {};
+    return *std::min_element(scratch.options.begin(), scratch.options.end());
+  }
+
+  /// The cheapest edge of v that no guard refuses. Of a hub some are asked only: each costs as much
+  /// as the hub has faces.
+  EdgeChoice cheapest_possible(int v, Scratch& scratch) const {
+    gather_options(v, scratch);
+    std::sort(scratch.options.begin(), scratch.options.end());
+    if (scratch.options.size() > hub) scratch.options.resize(hub);
+    for (const EdgeChoice& option : scratch.options) {
+      const Edge edge{v, option.partner};
+      if (!ask(edge, evaluate(edge)->position, scratch).refusal) return option;
+    }
+    return {};
+  }
+
+  /// Leaves the edge's neighbourhood in the scratch.
+  GuardAnswer ask(Edge edge, const Vector3& x, Scratch& scratch) const {
+    scratch.around.gather(mesh_.connectivity, edge);
+    return guards_.ask(scratch.around, x);
+  }
+
+  // --- collapse ---------------------------------------------------------------------------------
+
+  /// Before collapses with numbers below `count`.
+  void make_room(int count) {
+    for (CollapseObserver* observer : observers_) observer->make_room(count);
+  }
+
+  struct Done {
+    int keep, gone;
+    Removed removed;  // still to be counted
+  };
+
+  /// Of the edge whose neighbourhood is in the scratch, as the guards allowed it. Leaves the
+  /// ring of the merged vertex in the scratch.
+  Done collapse(const Candidate& candidate, double error_bound, int number, Scratch& scratch) {
+    const EdgeNeighborhood& around = scratch.around;
+    const Collapse done = collapse_of(around.edge(), candidate);
+    guards_.accept(around, error_bound);
+    metric_.release(around);
+    for (CollapseObserver* observer : observers_) observer->before(mesh_, around, done, number);
+    mesh_.position[done.keep] = candidate.position;
+    Removed removed = mesh_.connectivity.collapse(done.keep, done.gone);
+    if (!topology_) removed += remove_duplicates(around);
+    mesh_.kind[done.keep] = std::max(mesh_.kind[done.keep], mesh_.kind[done.gone]);
+    if (!mesh_.importance.empty())
+      mesh_.importance[done.keep] +=
+          done.t * (mesh_.importance[done.gone] - mesh_.importance[done.keep]);
+    for (int f : around.star())
+      if (mesh_.connectivity.alive(f)) mesh_.update_plane(f);
+    gather_ring(mesh_, done.keep, scratch.ring);
+    metric_.merge(done, around, scratch.ring);
+    return {done.keep, done.gone, removed};
+  }
+
+  static constexpr int hub = 64;  // a valence well above those of meshes made for any purpose
+
+ private:
+  std::optional<Candidate> evaluate(Edge edge, const Vector3& wings) const {
+    const std::optional<Allowed> allowed = rule_(edge);
+    if (!allowed) return std::nullopt;
+    std::optional<Candidate> candidate = metric_.evaluate(edge, *allowed, wings);
+    if (candidate && !mesh_.importance.empty())
+      candidate->cost *= mesh_.importance[edge.a] + mesh_.importance[edge.b];
+    return candidate;
+  }
+
+  void gather_options(int v, Scratch& scratch) const {
+    scratch.options.clear();
+    gather_ring(mesh_, v, scratch.ring);
+    for (const RingVertex& u : scratch.ring) {
+      if (u.vertex < v) continue;
+      if (const EdgeChoice option = choice(v, u); option.exists())
+        scratch.options.push_back(option);
+    }
+  }
+
+  /// The vertex that does not move stays, if there is one, so that it keeps its bits.
+  Collapse collapse_of(Edge edge, const Candidate& candidate) const {
+    const bool keep_b = candidate.position == mesh_.position[edge.b];
+    const int keep = keep_b ? edge.b : edge.a, gone = keep_b ? edge.a : edge.b;
+    return {keep,
+            gone,
+            mesh_.position[keep],
+            mesh_.position[gone],
+            candidate.position,
+            keep_b ? 1.0 - candidate.t : candidate.t};
+  }
+
+  /// Where the link condition was not asked for, faces may have fallen onto each other.
+  Removed remove_duplicates(const EdgeNeighborhood& around) {
+    TriangleConnectivity& connectivity = mesh_.connectivity;
+    Removed removed;
+    for (int f : around.star()) {
+      if (!connectivity.alive(f)) continue;
+      const Face& face = connectivity.face(f);
+      for (int g : around.star())
+        if (g > f && connectivity.alive(g) && connectivity.face_has(g, face[0]) &&
+            connectivity.face_has(g, face[1]) && connectivity.face_has(g, face[2]))
+          removed += connectivity.remove_face(g);
+    }
+    return removed;
+  }
+
+  WorkingMesh& mesh_;
+  MetricType& metric_;
+  const bool topology_;
+  const CollapseRule rule_;
+  CollapseGuards guards_;
+  std::vector<CollapseObserver*> observers_;
+};
+
+}  // namespace curvdecim

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <vector>
+
+#include "vcg_ext/queue/edge_choices.h"
+
+namespace curvdecim {
+
+/// Picks edges that can be collapsed at the same time and are among the cheapest: of the vertices'
+/// choices the cheapest share, and from these, class by class from the cheapest, every edge whose
+/// neighbourhood shares no vertex with that of an edge picked before. A small class is sorted by
+/// cost. In a large one single edges do not show in the result: its order is that of the vertices,
+/// so that memory is read in order.
+class RoundSelection {
+ public:
+  explicit RoundSelection(const TriangleConnectivity& connectivity)
+      : connectivity_(connectivity),
+        round_of_(connectivity.vertex_slots(), 0),
+        living_(connectivity.vertex_slots()) {
+    std::iota(living_.begin(), living_.end(), 0);
+  }
+
+  /// Fills edges() and outdated().
+  void pick(const EdgeChoices& choices) {
+    ++round_;
+    edges_.clear(), outdated_.clear();
+    drop_dead();
+    find_limits(choices);
+    sort_into_classes(choices);
+    for (const std::vector<Candidate>& candidates : class_)
+      for (const auto& [priority, edge] : candidates) {
+        if (taken(edge.a) || taken(edge.b)) continue;
+        if (!connectivity_.has_edge(edge.a, edge.b))
+          outdated_.push_back(edge.a);
+        else if (is_apart(edge))
+          take(edge);
+      }
+  }
+
+  /// Apart from each other.
+  const std::vector<Edge>& edges() const { return edges_; }
+  /// Vertices that chose an edge that is gone.
+  const std::vector<int>& outdated() const { return outdated_; }
+  int candidates() const {
+    int sum = 0;
+    for (const auto& candidates : class_) sum += static_cast<int>(candidates.size());
+    return sum;
+  }
+  /// What an edge of this round may cost at most.
+  Priority limit() const { return limit_.back(); }
+
+ private:
+  /// Of the vertices' choices. A larger share takes fewer rounds and leaves the greedy order
+  /// further: RMS error against the strict order +0.5 % at 0.15, +1.6 % at 0.3, +6 % at 0.5.
+  static constexpr double share = 0.15;
+  static constexpr int classes = 8;  // of equal size
+  static constexpr int small_class = 512;
+  static constexpr int samples = 2048;  // they tell the share within a hundredth or so
+
+  struct Candidate {
+    Priority priority;
+    Edge edge;
+    bool operator<(const Candidate& o) const {
+      return priority == o.priority ? edge.a < o.edge.a : priority < o.priority;
+    }
+  };
+
+  /// When they are a third of the list; the others have no choice.
+  void drop_dead() {
+    if (2 * living_.size() <= 3 * static_cast<std::size_t>(connectivity_.vertex_count())) return;
+    const auto dead = [&](int v) { return connectivity_.faces_of(v).size() == 0; };
+    living_.erase(std::remove_if(living_.begin(), living_.end(), dead), living_.end());
+  }
+
+  /// From every n-th vertex.
+  void find_limits(const EdgeChoices& choices) {
+    const std::size_t stride = std::max<std::size_t>(1, living_.size() / samples);
+    sample_.clear();
+    for (std::size_t i = 0; i < living_.size(); i += stride)
+      if (choices.exists(living_[i])) sample_.push_back(choices.priority(living_[i]));
+    std::sort(sample_.begin(), sample_.end());
+    for (int c = 0; c < classes; ++c) {
+      const double part = share * (c + 1) / classes;
+      limit_[c] = sample_.empty() ? Priority(0.0, 0.0)
+                                  : sample_[static_cast<std::size_t>(part * sample_.size())];
+    }
+  }
+
+  void sort_into_classes(const EdgeChoices& choices) {
+    for (auto& candidates : class_) candidates.clear();
+    for (int v : living_) {
+      const Priority priority = choices.priority(v);
+      if (limit() < priority || !choices.exists(v)) continue;
+      const auto c = std::lower_bound(limit_.begin(), limit_.end(), priority) - limit_.begin();
+      class_[c].push_back({priority, {v, choices.of(v).partner}});
+    }
+    for (auto& candidates : class_)
+      if (candidates.size() <= small_class) std::sort(candidates.begin(), candidates.end());
+  }
+
+  bool taken(int v) const { return round_of_[v] == round_; }
+
+  bool is_apart(Edge edge) const {
+    for (int v : {edge.a, edge.b})
+      for (int f : connectivity_.faces_of(v))
+        for (int u : connectivity_.face(f))
+          if (taken(u)) return false;
+    return true;
+  }
+
+  void take(Edge edge) {
+    for (int v : {edge.a, edge.b})
+      for (int f : connectivity_.faces_of(v))
+        for (int u : connectivity_.face(f)) round_of_[u] = round_;
+    edges_.push_back(edge);
+  }
+
+  const TriangleConnectivity& connectivity_;
+  int round_ = 0;
+  std::vector<int> round_of_;  // by vertex: the last round in which it was in a neighbourhood taken
+  std::vector<int> living_;    // vertices with a face, ascending
+  std::vector<Priority> sample_;
+  std::array<Priority, classes> limit_;  // of each class
+  std::array<std::vector<Candidate>, classes> class_;
+  std::vector<Edge> edges_;
+  std::vector<int> outdated_;
+};
+
+}  // namespace curvdecim
