@@ -13,6 +13,28 @@
 
 namespace curvdecim {
 
+/// The run itself; the mesh changes at its end only. Throws InputError and CancelRequest.
+template <class MeshType>
+void run_edge_collapse(MeshType& mesh, EdgeCollapseParams params, ProgressMeter& progress,
+                       DecimationReport& report) {
+  const Parallel parallel(params.threads, [&] { progress.ask(); });
+  Snapshot snapshot = take_snapshot(mesh, parallel);
+  params.max_error /= snapshot.diagonal;
+  const std::optional<StopCriterion> stop = set_up(mesh, params, snapshot, report);
+  if (!stop) return;
+  BlendRecord blend(has_varying_attributes(mesh, snapshot));
+  std::optional<WedgeTexture> wedges = read_wedges(mesh, snapshot);
+  note_attributes(mesh, snapshot, wedges, report);
+  with_metric(snapshot.mesh, params, snapshot.diagonal, [&](auto metric) {
+    EdgeCollapse operation(snapshot.mesh, metric, params, params.scheduler, *stop);
+    operation.add_observer(blend);
+    if (wedges) operation.add_observer(*wedges);
+    operation.run(parallel, progress, report);
+  });
+  report.max_error *= snapshot.diagonal;
+  WriteBack<MeshType>(mesh, snapshot).run(blend.steps(), wedges);
+}
+
 /// Decimates a vcg triangle mesh by edge collapse, in place.
 ///
 /// The mesh needs faces with vertex references and selection flags; no adjacency. Whatever vertex
@@ -26,30 +48,13 @@ DecimationReport decimate_edge_collapse(MeshType& mesh, const EdgeCollapseParams
                                         const Progress& progress = {}) {
   const auto start = std::chrono::steady_clock::now();
   validate(requested);
-  EdgeCollapseParams params = with_preset(requested);
-  Snapshot snapshot = take_snapshot(mesh);
-  params.max_error /= snapshot.diagonal;
+  ProgressMeter meter(progress);
   DecimationReport report = initial_report(mesh);
-  if (const auto stop = set_up(mesh, params, snapshot, report)) {
-    BlendRecord blend(has_varying_attributes(mesh, snapshot));
-    std::optional<WedgeTexture> wedges = read_wedges(mesh, snapshot);
-    note_attributes(mesh, snapshot, wedges, report);
-    ProgressMeter meter(progress);
-    const Parallel parallel(params.threads, [&] { meter.ask(); });
-    try {
-      with_metric(snapshot.mesh, params, snapshot.diagonal, [&](auto metric) {
-        EdgeCollapse operation(snapshot.mesh, metric, params, params.scheduler, *stop);
-        operation.add_observer(blend);
-        if (wedges) operation.add_observer(*wedges);
-        operation.run(parallel, meter, report);
-      });
-    } catch (const CancelRequest&) {
-      report.stopped_by = StopReason::Cancelled;
-    }
-    if (report.stopped_by != StopReason::Cancelled)
-      WriteBack<MeshType>(mesh, snapshot).run(blend.steps(), wedges);
+  try {
+    run_edge_collapse(mesh, with_preset(requested), meter, report);
+  } catch (const CancelRequest&) {
+    report.stopped_by = StopReason::Cancelled;
   }
-  report.max_error *= snapshot.diagonal;
   finish(mesh, report);
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return report;
@@ -61,8 +66,9 @@ DecimationReport decimate_edge_collapse(MeshType& mesh, const EdgeCollapseParams
 template <class MeshType>
 void curvature_importance(MeshType& mesh, const ImportanceParams& params) {
   validate(params);
-  const Snapshot snapshot = take_snapshot(mesh);
-  const CurvatureField field = curvature_field(snapshot.mesh, params, Parallel(0));
+  const Parallel parallel(0);
+  const Snapshot snapshot = take_snapshot(mesh, parallel);
+  const CurvatureField field = curvature_field(snapshot.mesh, params, parallel);
   const CurvatureWeight weight = curvature_weight(params, field.mean(), snapshot.diagonal);
   const double length = snapshot.diagonal;
   const double unit =

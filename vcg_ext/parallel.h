@@ -21,8 +21,8 @@ struct Grain {
 /// the number of threads cannot show in the result.
 class Parallel {
  public:
-  static constexpr Grain light{2048, 1 << 18};  ///< items of some tens of nanoseconds
-  static constexpr Grain heavy{32, 1 << 13};    ///< items of some microseconds
+  static constexpr Grain light{512, 1 << 18};  ///< items of some tens of nanoseconds
+  static constexpr Grain heavy{8, 1 << 13};    ///< items of some microseconds
 
   /// threads: 0 for all cores. between_blocks: called on the calling thread while no other runs; it
   /// may throw to end the work.
@@ -52,6 +52,25 @@ class Parallel {
     for (int begin = 0; begin < count; begin += std::min(grain.block, count - begin)) {
       if (between_blocks_) between_blocks_();
       run_block(begin, std::min(grain.block, count - begin), work, grain.least);
+    }
+  }
+
+  /// The order of std::sort, if no two elements are equal.
+  template <class Iterator>
+  void sort(Iterator begin, Iterator end) const {
+    const int parts = threads();
+    const Grain one_each{1, parts};
+    const auto bound = [&](int part) {
+      return begin + (end - begin) * std::min(part, parts) / parts;
+    };
+    for_each(
+        parts, [&](int part) { std::sort(bound(part), bound(part + 1)); }, one_each);
+    for (int width = 1; width < parts; width *= 2) {
+      const auto merge = [&](int pair) {
+        const int part = 2 * width * pair;
+        std::inplace_merge(bound(part), bound(part + width), bound(part + 2 * width));
+      };
+      for_each((parts + width - 1) / (2 * width), merge, one_each);
     }
   }
 

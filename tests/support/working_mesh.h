@@ -15,7 +15,7 @@ inline WorkingMesh working_mesh(const Shape& shape) {
   WorkingMesh mesh;
   mesh.position = shape.vertices;
   mesh.connectivity = connectivity_of(shape);
-  mesh.kind = classify_vertices(mesh.connectivity);
+  mesh.kind = classify_vertices(mesh.connectivity, Parallel(1));
   mesh.locked.assign(shape.vertices.size(), false);
   mesh.plane.resize(shape.faces.size());
   for (int f = 0; f < shape.face_count(); ++f) mesh.update_plane(f);

@@ -45,7 +45,7 @@ TEST(PlaneQuadrics, AreWeightedByAreaOrNot) {
 
 std::vector<Symmetric3> constraints(const Shape& shape, const DecimationParams& params) {
   const WorkingMesh mesh = working_mesh(shape);
-  return ConstraintQuadrics(mesh, params, PlaneWeight::Area).build();
+  return ConstraintQuadrics(mesh, params, PlaneWeight::Area).build(Parallel(1));
 }
 
 /// What it costs by the constraints to move vertex v by `step`.

@@ -9,13 +9,19 @@ namespace {
 // An edge along x from -1 to 1 about its midpoint.
 const Vector3 half(1, 0, 0);
 
-Quadric planes_through(const Vector3& p) {
-  Quadric q;
-  for (int axis = 0; axis < 3; ++axis) q += Quadric::plane(Vector3::Unit(axis), p[axis], 1.0);
-  return q;
+QuadricOfEdge on_edge(const Quadric& q, const Vector3& half_edge = half) {
+  return {q, half_edge.dot(q.a * half_edge)};
 }
 
-Quadric plane_across_at(double x) { return Quadric::plane(Vector3(1, 0, 0), x, 1.0); }
+QuadricOfEdge planes_through(const Vector3& p) {
+  Quadric q;
+  for (int axis = 0; axis < 3; ++axis) q += Quadric::plane(Vector3::Unit(axis), p[axis], 1.0);
+  return on_edge(q);
+}
+
+QuadricOfEdge plane_across_at(double x) {
+  return on_edge(Quadric::plane(Vector3(1, 0, 0), x, 1.0));
+}
 
 TEST(Placement, OptimalIsNearTheMinimum) {
   const Vector3 minimum(0.3, -0.2, 0.1);
@@ -25,7 +31,7 @@ TEST(Placement, OptimalIsNearTheMinimum) {
 }
 
 TEST(Placement, OptimalIsTheMidpointWhereNothingIsAtStake) {
-  const Placed placed = place(Quadric{}, half, Allowed::Anywhere, Placement::Optimal);
+  const Placed placed = place(on_edge({}), half, Allowed::Anywhere, Placement::Optimal);
   EXPECT_EQ(placed.offset, Vector3(0, 0, 0));
   EXPECT_EQ(placed.t, 0.5);
 }
@@ -33,7 +39,7 @@ TEST(Placement, OptimalIsTheMidpointWhereNothingIsAtStake) {
 TEST(Placement, OptimalMakesNoSpikeBetweenNearlyParallelPlanes) {
   const Quadric q = Quadric::plane(Vector3(0, 1e-6, 1).normalized(), 1e-3, 1.0) +
                     Quadric::plane(Vector3(0, -1e-6, 1).normalized(), -1e-3, 1.0);
-  EXPECT_LT(place(q, half, Allowed::Anywhere, Placement::Optimal).offset.norm(), 1.0);
+  EXPECT_LT(place(on_edge(q), half, Allowed::Anywhere, Placement::Optimal).offset.norm(), 1.0);
 }
 
 TEST(Placement, LineFindsTheMinimumOnTheEdge) {
@@ -48,7 +54,7 @@ TEST(Placement, LineDoesNotLeaveTheEdge) {
 }
 
 TEST(Placement, LineIsTheMidpointOfAFlatQuadric) {
-  EXPECT_EQ(place(Quadric{}, half, Allowed::Anywhere, Placement::Line).t, 0.5);
+  EXPECT_EQ(place(on_edge({}), half, Allowed::Anywhere, Placement::Line).t, 0.5);
 }
 
 TEST(Placement, EndpointOrMidpointTakesTheBestOfThree) {

@@ -15,7 +15,7 @@ namespace {
 Snapshot snapshot_of(const Shape& shape) {
   BareMesh mesh;
   fill(mesh, shape);
-  return take_snapshot(mesh);
+  return take_snapshot(mesh, Parallel(1));
 }
 
 std::vector<int> sorted(std::vector<int> indices) {
@@ -77,7 +77,7 @@ TEST(Snapshot, LeavesOutDeletedAndUnusedElements) {
   BareMesh mesh;
   fill(mesh, side_by_side({one_triangle(), octahedron()}));
   vcg::tri::Allocator<BareMesh>::DeleteFace(mesh, mesh.face[0]);
-  const Snapshot snapshot = take_snapshot(mesh);
+  const Snapshot snapshot = take_snapshot(mesh, Parallel(1));
   EXPECT_EQ(snapshot.mesh.connectivity.face_count(), 8);
   EXPECT_EQ(sorted(snapshot.vertex_of), (std::vector<int>{3, 4, 5, 6, 7, 8}));
   EXPECT_EQ(sorted(snapshot.face_of), (std::vector<int>{1, 2, 3, 4, 5, 6, 7, 8}));
@@ -96,7 +96,7 @@ TEST(Snapshot, ReadsTheSelection) {
   BareMesh mesh;
   fill(mesh, octahedron());
   mesh.face[3].SetS();
-  const Snapshot snapshot = take_snapshot(mesh);
+  const Snapshot snapshot = take_snapshot(mesh, Parallel(1));
   for (std::size_t f = 0; f < snapshot.selected.size(); ++f)
     EXPECT_EQ(snapshot.selected[f], snapshot.face_of[f] == 3);
 }

@@ -12,7 +12,7 @@ namespace curvdecim::test {
 namespace {
 
 std::vector<VertexKind> kinds(const Shape& shape) {
-  return classify_vertices(connectivity_of(shape));
+  return classify_vertices(connectivity_of(shape), Parallel(1));
 }
 
 int count(const Shape& shape, VertexKind kind) {
@@ -56,14 +56,17 @@ TEST(VertexKind, OfTwoPagesIsThatOfOneSheet) {
   EXPECT_EQ(count(book(2, 4), VertexKind::Junction), 0);
 }
 
-TEST(VertexKind, WhereCurvesEndInsideASheetIsJunction) {
+TEST(VertexKind, WhereCurvesEndInsideASheetIsJunctionInAnyOrderOfTheFaces) {
   // A fin stands on the middle of a sheet; its foot is an edge curve with two ends.
   Shape shape = plane_grid(4);
   shape.vertices.push_back({0.5, 0.5, 1.0});
   shape.faces.push_back({12, 17, 25});
-  EXPECT_EQ(kinds(shape)[12], VertexKind::Junction);
-  EXPECT_EQ(kinds(shape)[17], VertexKind::Junction);
-  EXPECT_EQ(kinds(shape)[25], VertexKind::Boundary);
+  for (int turn = 0; turn < shape.face_count(); ++turn) {
+    std::rotate(shape.faces.begin(), shape.faces.begin() + 1, shape.faces.end());
+    ASSERT_EQ(kinds(shape)[12], VertexKind::Junction);
+    ASSERT_EQ(kinds(shape)[17], VertexKind::Junction);
+    ASSERT_EQ(kinds(shape)[25], VertexKind::Boundary);
+  }
 }
 
 TEST(VertexKind, DoesNotDependOnOrientation) {

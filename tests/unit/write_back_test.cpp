@@ -17,7 +17,7 @@ class WriteBackOf : public testing::Test {
  protected:
   void draw(const Shape& shape) {
     fill_with_attributes(mesh_, shape);
-    snapshot_ = take_snapshot(mesh_);
+    snapshot_ = take_snapshot(mesh_, Parallel(1));
   }
 
   /// The working vertex of a vertex of the mesh.

@@ -3,9 +3,11 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "vcg_ext/connectivity/triangle_connectivity.h"
+#include "vcg_ext/parallel.h"
 
 namespace curvdecim {
 
@@ -23,11 +25,11 @@ enum class VertexKind : std::uint8_t {
 class VertexClassifier {
  public:
   explicit VertexClassifier(const TriangleConnectivity& connectivity)
-      : connectivity_(connectivity),
-        degree_(connectivity.vertex_slots(), 0),
-        others_(connectivity.vertex_slots(), 0) {}
+      : connectivity_(connectivity) {}
 
   VertexKind classify(int v) {
+    if (const auto kind = kind_of_simple_link(v)) return *kind;
+    degree_.resize(connectivity_.vertex_slots(), 0), others_.resize(degree_.size(), 0);
     build_link(v);
     const VertexKind kind = kind_of_link(v);
     for (int f : connectivity_.faces_of(v))
@@ -36,6 +38,40 @@ class VertexClassifier {
   }
 
  private:
+  /// Of the vertices of a manifold, without the scratch arrays: walks along the link, edge by edge.
+  /// nullopt: the link is long, or is not one cycle or one path.
+  std::optional<VertexKind> kind_of_simple_link(int v) const {
+    constexpr int longest = 16;  // the walk looks at each edge of the link in each step
+    const auto faces = connectivity_.faces_of(v);
+    if (faces.size() == 0 || faces.size() > longest) return std::nullopt;
+    std::array<std::array<int, 2>, longest> link;
+    int left = 0;
+    for (int f : faces) link[left++] = link_edge(f, v);
+    const auto [start, second] = link[--left];
+    const std::optional<int> end = walk_off(second, start, link.data(), left);
+    if (!end) return std::nullopt;
+    if (*end == start) return left == 0 ? std::optional(VertexKind::Interior) : std::nullopt;
+    const std::optional<int> other_end = walk_off(start, *end, link.data(), left);
+    return other_end && left == 0 ? std::optional(VertexKind::Boundary) : std::nullopt;
+  }
+
+  /// Takes from the `left` edges those that lead on from `at`, to `home` at the furthest; where
+  /// they end. nullopt: somewhere two lead on.
+  static std::optional<int> walk_off(int at, int home, std::array<int, 2>* link, int& left) {
+    for (;;) {
+      if (at == home) return at;
+      int next = -1;
+      for (int i = 0; i < left; ++i) {
+        if (link[i][0] != at && link[i][1] != at) continue;
+        if (next >= 0) return std::nullopt;
+        next = i;
+      }
+      if (next < 0) return at;
+      at = link[next][0] ^ link[next][1] ^ at;
+      link[next] = link[--left];
+    }
+  }
+
   void build_link(int v) {
     for (int f : connectivity_.faces_of(v)) {
       const auto [a, b] = link_edge(f, v);
@@ -108,14 +144,17 @@ class VertexClassifier {
   }
 
   const TriangleConnectivity& connectivity_;
-  std::vector<int> degree_;  // in the link, by neighbour
+  std::vector<int> degree_;  // in the link, by neighbour; empty until it is needed
   std::vector<int> others_;  // exclusive or of the adjacent nodes: at degree 2, one gives the other
 };
 
-inline std::vector<VertexKind> classify_vertices(const TriangleConnectivity& connectivity) {
-  VertexClassifier classifier(connectivity);
+inline std::vector<VertexKind> classify_vertices(const TriangleConnectivity& connectivity,
+                                                 const Parallel& parallel) {
   std::vector<VertexKind> kinds(connectivity.vertex_slots());
-  for (int v = 0; v < connectivity.vertex_slots(); ++v) kinds[v] = classifier.classify(v);
+  std::vector<VertexClassifier> classifiers(parallel.threads(), VertexClassifier(connectivity));
+  parallel.for_ranges(connectivity.vertex_slots(), [&](int begin, int end, int worker) {
+    for (int v = begin; v < end; ++v) kinds[v] = classifiers[worker].classify(v);
+  });
   return kinds;
 }
 

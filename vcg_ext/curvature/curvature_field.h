@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "vcg_ext/curvature/vertex_curvature.h"
-#include "vcg_ext/mesh/vertex_ring.h"
 #include "vcg_ext/parallel.h"
 
 namespace curvdecim {
@@ -32,19 +31,18 @@ inline CurvatureField curvature_field(const WorkingMesh& mesh, CurvatureKind kin
   return field;
 }
 
-/// Each vertex gets the mean of its own value and its neighbours': the curvature of single vertices
-/// is mostly noise.
+/// Each vertex gets the mean of its own value and its neighbours', which count by the faces that
+/// they share with it: the curvature of single vertices is mostly noise.
 inline void average_over_rings(const WorkingMesh& mesh, CurvatureField& field,
                                const Parallel& parallel) {
   const std::vector<double> value = field.value;
-  parallel.for_ranges(static_cast<int>(value.size()), [&](int begin, int end, int) {
-    VertexRing ring;
-    for (int v = begin; v < end; ++v) {
-      gather_ring(mesh, v, ring);
-      double sum = value[v];
-      for (const RingVertex& u : ring) sum += value[u.vertex];
-      field.value[v] = sum / static_cast<double>(ring.size() + 1);
-    }
+  parallel.for_each(static_cast<int>(value.size()), [&](int v) {
+    const auto faces = mesh.connectivity.faces_of(v);
+    double twice = 0.0;  // the sum of the neighbours: inside, each is in two faces
+    for (int f : faces)
+      for (int u : mesh.connectivity.face(f))
+        if (u != v) twice += value[u];
+    field.value[v] = (value[v] + 0.5 * twice) / (1 + faces.size());
   });
 }
 

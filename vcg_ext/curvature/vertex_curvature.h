@@ -25,10 +25,13 @@ struct VertexCurvature {
   }
 };
 
-/// Angle at corner i of face f, in radians.
+/// Angle at corner i of face f, in radians: the area is the cross product's.
 inline double corner_angle(const WorkingMesh& mesh, int f, int i) {
-  const Triangle t = mesh.triangle(f);
-  return corner_angle(t[i], t[(i + 1) % 3], t[(i + 2) % 3]);
+  const Face& face = mesh.connectivity.face(f);
+  const Vector3& apex = mesh.position[face[i]];
+  const Vector3 u = mesh.position[face[(i + 1) % 3]] - apex;
+  const Vector3 v = mesh.position[face[(i + 2) % 3]] - apex;
+  return std::atan2(2.0 * mesh.plane[f].area, u.dot(v));
 }
 
 /// What curvature is made of: sums over the faces around a vertex, so that a face can come and go.

@@ -32,11 +32,19 @@ struct Quadric {
   }
 };
 
-/// The sum of p, about the point -half, and q, about +half, as a quadric about the point between.
-inline Quadric sum_about_midpoint(const Quadric& p, const Quadric& q, const Vector3& half) {
-  const Symmetric3 a = p.a + q.a;
-  return {a, p.b + q.b + (p.a - q.a) * half,
-          p.c + q.c + half.dot(a * half) + 2.0 * (p.b - q.b).dot(half)};
+/// The sum of p, about the point -half, and q, about +half, as a quadric about the point between;
+/// along: half^T A half.
+struct QuadricOfEdge {
+  Quadric sum;
+  double along;
+};
+
+inline QuadricOfEdge sum_about_midpoint(const Quadric& p, const Quadric& q, const Vector3& half) {
+  const Vector3 p_half = p.a * half, q_half = q.a * half;
+  const double along = half.dot(p_half + q_half);
+  return {
+      {p.a + q.a, p.b + q.b + (p_half - q_half), p.c + q.c + along + 2.0 * (p.b - q.b).dot(half)},
+      along};
 }
 
 inline Quadric operator+(Quadric p, const Quadric& q) { return p += q; }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 #include <vector>
 
 #include "vcg_ext/connectivity/edge_neighborhood.h"
@@ -10,14 +11,19 @@
 namespace curvdecim {
 
 /// True if the ends have a common neighbour other than the third vertices of the faces at the edge.
+/// Most neighbours of b are ruled out by a bit each of those of a.
 inline bool has_other_common_neighbor(const TriangleConnectivity& connectivity,
                                       const EdgeNeighborhood& around) {
   const auto [a, b] = around.edge();
-  const std::vector<int>& thirds = around.thirds();
-  for (std::size_t i = around.star_of_a(); i < around.star().size(); ++i)
-    for (int u : connectivity.face(around.star()[i]))
-      if (u != b && std::find(thirds.begin(), thirds.end(), u) == thirds.end() &&
-          connectivity.has_edge(a, u))
+  const std::vector<int>&thirds = around.thirds(), &star = around.star();
+  const auto bit = [](int v) { return std::uint64_t{1} << (v & 63); };
+  std::uint64_t near_a = 0;
+  for (std::size_t i = 0; i < around.star_of_a(); ++i)
+    for (int u : connectivity.face(star[i])) near_a |= bit(u);
+  for (std::size_t i = around.star_of_a(); i < star.size(); ++i)
+    for (int u : connectivity.face(star[i]))
+      if (u != b && (near_a & bit(u)) != 0 &&
+          std::find(thirds.begin(), thirds.end(), u) == thirds.end() && connectivity.has_edge(a, u))
         return true;
   return false;
 }

@@ -4,11 +4,14 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "vcg_ext/errors.h"
 #include "vcg_ext/geometry/morton.h"
 #include "vcg_ext/mesh/working_mesh.h"
+#include "vcg_ext/parallel.h"
 
 namespace curvdecim {
 
@@ -30,8 +33,8 @@ struct Snapshot {
 template <class MeshType>
 class SnapshotReader {
  public:
-  explicit SnapshotReader(const MeshType& mesh)
-      : mesh_(mesh), working_of_(mesh.vert.size(), unused) {}
+  SnapshotReader(const MeshType& mesh, const Parallel& parallel)
+      : mesh_(mesh), parallel_(parallel), working_of_(mesh.vert.size(), unused) {}
 
   /// Throws InputError where there is nothing to decimate or a face uses a vertex that it cannot.
   Snapshot read() {
@@ -40,8 +43,7 @@ class SnapshotReader {
       throw InputError(
           "The mesh has " + std::to_string(mesh_.vn) +
           " points but no faces; decimation needs a triangle mesh. Reconstruct a surface first.");
-    for (std::size_t f = 0; f < mesh_.face.size(); ++f)
-      if (!mesh_.face[f].IsD()) read_face(static_cast<int>(f));
+    read_faces();
     if (faces_.empty())
       throw InputError("Every face of the mesh uses a vertex twice; nothing is left to decimate.");
     collect_vertices();
@@ -55,6 +57,12 @@ class SnapshotReader {
  private:
   static constexpr int unused = -1;
 
+  void read_faces() {
+    faces_.reserve(mesh_.fn), snapshot_.face_of.reserve(mesh_.fn);
+    for (std::size_t f = 0; f < mesh_.face.size(); ++f)
+      if (!mesh_.face[f].IsD()) read_face(static_cast<int>(f));
+  }
+
   void read_face(int f) {
     Face face;
     for (int i = 0; i < 3; ++i) face[i] = vertex_index(f, i);
@@ -62,6 +70,7 @@ class SnapshotReader {
       snapshot_.unusable.push_back(f);
       return;
     }
+    for (int v : face) working_of_[v] = 0;
     faces_.push_back(face);
     snapshot_.face_of.push_back(f);
   }
@@ -80,44 +89,76 @@ class SnapshotReader {
   }
 
   void collect_vertices() {
-    for (const Face& face : faces_)
-      for (int v : face) working_of_[v] = 0;
-    for (std::size_t v = 0; v < working_of_.size(); ++v) {
+    for (std::size_t v = 0; v < working_of_.size(); ++v)
       if (working_of_[v] != unused) snapshot_.vertex_of.push_back(static_cast<int>(v));
-    }
   }
 
   /// Neighbours in space become neighbours in memory: the collapses jump about in the mesh, but
   /// each touches a small region only.
   void number_vertices() {
-    std::vector<std::pair<std::uint64_t, int>> order;
-    for (int v : snapshot_.vertex_of)
-      order.emplace_back(morton_code(snapshot_.to_box(point(v))), v);
-    std::sort(order.begin(), order.end());
-    for (std::size_t i = 0; i < order.size(); ++i) {
-      snapshot_.vertex_of[i] = order[i].second;
-      working_of_[order[i].second] = static_cast<int>(i);
-      snapshot_.mesh.position.push_back(snapshot_.to_box(point(order[i].second)));
+    const int count = static_cast<int>(snapshot_.vertex_of.size());
+    std::vector<std::pair<std::uint64_t, int>> order(count);
+    parallel_.for_each(count, [&](int i) {
+      const int v = snapshot_.vertex_of[i];
+      order[i] = {morton_code(snapshot_.to_box(point(v))), v};
+    });
+    parallel_.sort(order.begin(), order.end());
+    snapshot_.mesh.position.resize(count);
+    parallel_.for_each(count, [&](int i) {
+      const int v = order[i].second;
+      snapshot_.vertex_of[i] = v;
+      working_of_[v] = i;
+      snapshot_.mesh.position[i] = snapshot_.to_box(point(v));
+    });
+    parallel_.for_each(static_cast<int>(faces_.size()), [&](int f) {
+      for (int& v : faces_[f]) v = working_of_[v];
+    });
+  }
+
+  /// A face as its vertices in ascending order, and where it stands.
+  struct FaceKey {
+    int least, middle, largest, face;
+
+    bool same_vertices(const FaceKey& o) const {
+      return least == o.least && middle == o.middle && largest == o.largest;
     }
-    for (Face& face : faces_)
-      for (int& v : face) v = working_of_[v];
+    bool operator<(const FaceKey& o) const {
+      return std::tie(middle, largest, face) < std::tie(o.middle, o.largest, o.face);
+    }
+  };
+
+  FaceKey key_of(int f) const {
+    const auto [a, b, c] = faces_[f];
+    const int least = std::min({a, b, c}), largest = std::max({a, b, c});
+    return {least, a ^ b ^ c ^ least ^ largest, largest, f};
+  }
+
+  /// Faces by their vertices: buckets by the least one, sorted inside.
+  std::vector<FaceKey> ordered_keys() const {
+    const int vertices = static_cast<int>(snapshot_.vertex_of.size());
+    std::vector<int> begin(vertices + 1, 0);
+    for (const Face& face : faces_) ++begin[std::min({face[0], face[1], face[2]}) + 1];
+    for (int v = 0; v < vertices; ++v) begin[v + 1] += begin[v];
+    std::vector<FaceKey> keys(faces_.size());
+    std::vector<int> end(begin.begin(), begin.end() - 1);
+    for (std::size_t f = 0; f < faces_.size(); ++f) {
+      const FaceKey key = key_of(static_cast<int>(f));
+      keys[end[key.least]++] = key;
+    }
+    parallel_.for_each(
+        vertices, [&](int v) { std::sort(keys.begin() + begin[v], keys.begin() + begin[v + 1]); });
+    return keys;
   }
 
   /// By their vertices, too. Of the faces with the same three vertices, the first stays.
   void order_faces() {
-    std::vector<std::pair<Face, int>> order;
-    order.reserve(faces_.size());
-    for (std::size_t f = 0; f < faces_.size(); ++f) {
-      order.emplace_back(faces_[f], static_cast<int>(f));
-      sort_corners(order.back().first);
-    }
-    std::sort(order.begin(), order.end());
+    const std::vector<FaceKey> keys = ordered_keys();
     std::vector<Face> faces;
     std::vector<int> face_of;
-    faces.reserve(order.size()), face_of.reserve(order.size());
-    for (std::size_t i = 0; i < order.size(); ++i) {
-      const auto& [key, f] = order[i];
-      if (i > 0 && key == order[i - 1].first) {
+    faces.reserve(keys.size()), face_of.reserve(keys.size());
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+      const int f = keys[i].face;
+      if (i > 0 && keys[i].same_vertices(keys[i - 1])) {
         snapshot_.unusable.push_back(snapshot_.face_of[f]);
         continue;
       }
@@ -126,12 +167,6 @@ class SnapshotReader {
     }
     faces_.swap(faces);
     snapshot_.face_of.swap(face_of);
-  }
-
-  static void sort_corners(Face& face) {
-    if (face[0] > face[1]) std::swap(face[0], face[1]);
-    if (face[1] > face[2]) std::swap(face[1], face[2]);
-    if (face[0] > face[1]) std::swap(face[0], face[1]);
   }
 
   Vector3 point(int v) const {
@@ -154,24 +189,23 @@ class SnapshotReader {
     WorkingMesh& mesh = snapshot_.mesh;
     const int count = static_cast<int>(mesh.position.size());
     mesh.connectivity = TriangleConnectivity(std::move(faces_), count);
-    mesh.kind = classify_vertices(mesh.connectivity);
-    mesh.locked.assign(count, false);
+    mesh.kind = classify_vertices(mesh.connectivity, parallel_);
+    mesh.locked.assign(count, 0);
     mesh.plane.resize(mesh.connectivity.face_slots());
-    for (int f = 0; f < mesh.connectivity.face_slots(); ++f) {
-      mesh.update_plane(f);
-      snapshot_.selected.push_back(mesh_.face[snapshot_.face_of[f]].IsS());
-    }
+    parallel_.for_each(mesh.connectivity.face_slots(), [&](int f) { mesh.update_plane(f); });
+    for (int f : snapshot_.face_of) snapshot_.selected.push_back(mesh_.face[f].IsS());
   }
 
   const MeshType& mesh_;
+  const Parallel& parallel_;
   std::vector<int> working_of_;  // by vcg vertex
   std::vector<Face> faces_;
   Snapshot snapshot_;
 };
 
 template <class MeshType>
-Snapshot take_snapshot(const MeshType& mesh) {
-  return SnapshotReader<MeshType>(mesh).read();
+Snapshot take_snapshot(const MeshType& mesh, const Parallel& parallel) {
+  return SnapshotReader<MeshType>(mesh, parallel).read();
 }
 
 }  // namespace curvdecim

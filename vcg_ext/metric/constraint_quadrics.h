@@ -2,11 +2,13 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 #include "vcg_ext/connectivity/edge_neighborhood.h"
 #include "vcg_ext/geometry/symmetric3.h"
 #include "vcg_ext/mesh/working_mesh.h"
+#include "vcg_ext/parallel.h"
 #include "vcg_ext/params.h"
 
 namespace curvdecim {
@@ -42,21 +44,27 @@ class ConstraintQuadrics {
         cos_feature_(std::cos(radians(params.feature_angle))) {}
 
   /// By vertex; empty where the mesh has no such edge.
-  std::vector<Symmetric3> build() {
-    if (params_.boundary_weight > 0.0)
-      for (int f = 0; f < mesh_.connectivity.face_slots(); ++f)
-        for (int i = 0; i < 3; ++i) add_edge(f, i);
+  std::vector<Symmetric3> build(const Parallel& parallel) {
+    if (!(params_.boundary_weight > 0.0)) return {};
+    std::vector<std::uint8_t> held(mesh_.connectivity.face_slots());  // by face: a bit an edge
+    parallel.for_each(mesh_.connectivity.face_slots(), [&](int f) { held[f] = held_edges(f); });
+    for (int f = 0; f < mesh_.connectivity.face_slots(); ++f)
+      for (int i = 0; i < 3 && held[f] != 0; ++i)
+        if (held[f] >> i & 1) add_plane(f, i);
     return std::move(matrices_);
   }
 
  private:
   static double radians(double degrees) { return degrees * (M_PI / 180.0); }
 
-  void add_edge(int f, int i) {
+  std::uint8_t held_edges(int f) const {
     const Face& face = mesh_.connectivity.face(f);
-    const int a = face[i], b = face[(i + 1) % 3];
-    const int across = face_across(f, a, b);
-    if (across < 0 || is_feature(f, across)) add_plane(f, a, b);
+    unsigned held = 0;
+    for (int i = 0; i < 3; ++i) {
+      const int across = face_across(f, face[i], face[(i + 1) % 3]);
+      if (across < 0 || is_feature(f, across)) held |= 1u << i;
+    }
+    return static_cast<std::uint8_t>(held);
   }
 
   /// The other face at the edge, or -1.
@@ -71,7 +79,9 @@ class ConstraintQuadrics {
            mesh_.plane[f].normal.dot(mesh_.plane[g].normal) <= cos_feature_;
   }
 
-  void add_plane(int f, int a, int b) {
+  void add_plane(int f, int i) {
+    const Face& face = mesh_.connectivity.face(f);
+    const int a = face[i], b = face[(i + 1) % 3];
     if (matrices_.empty()) matrices_.resize(mesh_.position.size());
     const Symmetric3 plane = edge_plane_matrix(mesh_, f, a, b, weight_) * params_.boundary_weight;
     matrices_[a] += plane;

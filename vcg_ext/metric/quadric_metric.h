@@ -24,7 +24,7 @@ class QuadricMetric {
 
   void initialize(const Parallel& parallel) {
     const std::vector<Symmetric3> constraints =
-        ConstraintQuadrics(mesh_, params_, params_.plane_weight).build();
+        ConstraintQuadrics(mesh_, params_, params_.plane_weight).build(parallel);
     sum_.resize(mesh_.position.size());
     memory_.resize(memoryless_ ? sum_.size() : 0);
     parallel.for_each(static_cast<int>(sum_.size()), [&](int v) {
@@ -40,11 +40,11 @@ class QuadricMetric {
   std::optional<Candidate> evaluate(Edge edge, Allowed allowed, const Vector3& wings) const {
     const Vector3 &a = mesh_.position[edge.a], &b = mesh_.position[edge.b];
     const Vector3 half = 0.5 * (b - a);
-    const Quadric q = sum_about_midpoint(sum_[edge.a].quadric, sum_[edge.b].quadric, half);
+    const QuadricOfEdge q = sum_about_midpoint(sum_[edge.a].quadric, sum_[edge.b].quadric, half);
     const Placed placed =
         place(q, half, allowed, params_.placement, volume_plane(edge, half, allowed, wings));
     double cost = placed.value;
-    if (cost <= rounding * rounding * half.squaredNorm() * q.a.trace()) cost = 0.0;
+    if (cost <= rounding * rounding * half.squaredNorm() * q.sum.a.trace()) cost = 0.0;
     if (placed.offset == -half) return Candidate{cost, a, 0.0};  // not rounded: the vertex itself
     if (placed.offset == half) return Candidate{cost, b, 1.0};
     return Candidate{cost, a + (half + placed.offset), placed.t};

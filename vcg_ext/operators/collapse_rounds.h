@@ -59,7 +59,7 @@ class CollapseRounds {
 
   /// On a smaller mesh single collapses show in the result, and a round is too little work for all
   /// cores: there, and at a large mesh's end, the strict order takes over.
-  static constexpr int least_vertices = 4096;
+  static constexpr int least_vertices = 1024;
   /// One pick in so many candidates: fewer are apart from each other around a hub.
   static constexpr int least_share = 64;
 

@@ -25,22 +25,25 @@ struct Minimum {
 /// more than the edge's length, to the minimum among the points that keep the volume. The edge goes
 /// from -half to +half. With p the pull, (A + p) x = -b gives the value without another product:
 /// c + b.x - p x.x, and so do the steps from there.
-inline Minimum optimal_minimum(const Quadric& q, const std::optional<VolumePlane>& volume,
-                               const Vector3& half) {
+inline Minimum optimal_minimum(const QuadricOfEdge& quadric,
+                               const std::optional<VolumePlane>& volume, const Vector3& half) {
   constexpr double relative_pull = 1e-4;  // to the trace, that is to the strongest direction
+  const Quadric& q = quadric.sum;
   const double trace = q.a.trace(), pull = relative_pull * trace;
   if (!(trace > 0.0)) return {Vector3::Zero(), q.c};
   const Factorization3 a(q.a.plus_diagonal(pull));
-  const Vector3 offset = a.solve(-q.b);
+  const Vector3 offset = -a.solve(q.b);
   const double least = q.c + q.b.dot(offset) - pull * offset.squaredNorm();
-  const double even = half.dot(q.a * half) + q.c, odd = 2.0 * q.b.dot(half);
+  const double even = quadric.along + q.c, odd = 2.0 * q.b.dot(half);
   if (even - odd < least) return {-half, even - odd};  // a corner: only the pull moved it off
   if (even + odd < least) return {half, even + odd};
   if (!volume) return {offset, least};
   const Vector3 direction = a.solve(volume->gradient);
   const double slope = volume->gradient.dot(direction), length2 = direction.squaredNorm();
-  const double step = (volume->offset - volume->gradient.dot(offset)) / slope;
-  if (!(slope > 0.0) || step * step * length2 > 4.0 * half.squaredNorm()) return {offset, least};
+  const double gap = volume->offset - volume->gradient.dot(offset);
+  if (!(gap * gap * length2 <= 4.0 * half.squaredNorm() * (slope * slope)) || !(slope > 0.0))
+    return {offset, least};
+  const double step = gap / slope;
   const double rise = step * (slope - pull * length2) - 2.0 * pull * offset.dot(direction);
   return {offset + step * direction, least + step * rise};
 }

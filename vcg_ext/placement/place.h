@@ -32,19 +32,20 @@ inline Placed place_endpoint_or_midpoint(const Quadric& q, const Vector3& half) 
   return q.c < end.value ? place_at(q, half, 0.5) : end;
 }
 
-inline Placed place_optimal(const Quadric& q, const Vector3& half,
+inline Placed place_optimal(const QuadricOfEdge& q, const Vector3& half,
                             const std::optional<VolumePlane>& volume) {
   const Minimum minimum = optimal_minimum(q, volume, half);
   return {minimum.offset, parameter_along(half, minimum.offset), minimum.value};
 }
 
-/// q: the quadric of the merged vertex about the midpoint of the edge. volume: for Optimal only.
-inline Placed place(const Quadric& q, const Vector3& half, Allowed allowed, Placement placement,
-                    const std::optional<VolumePlane>& volume = std::nullopt) {
+/// volume: for Optimal only.
+inline Placed place(const QuadricOfEdge& quadric, const Vector3& half, Allowed allowed,
+                    Placement placement, const std::optional<VolumePlane>& volume = std::nullopt) {
+  const Quadric& q = quadric.sum;
   if (allowed == Allowed::OntoA) return place_at(q, half, 0.0);
   if (allowed == Allowed::OntoB) return place_at(q, half, 1.0);
   switch (placement) {
-    case Placement::Optimal: return place_optimal(q, half, volume);
+    case Placement::Optimal: return place_optimal(quadric, half, volume);
     case Placement::Line: return place_at(q, half, parameter_of_minimum(q, half));
     case Placement::EndpointOrMidpoint: return place_endpoint_or_midpoint(q, half);
     case Placement::HalfEdge: break;
