@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <numeric>
+
 #include "support/shape.h"
 #include "vcg_ext/mesh/working_mesh.h"
 
@@ -19,6 +21,9 @@ inline WorkingMesh working_mesh(const Shape& shape) {
   mesh.locked.assign(shape.vertices.size(), false);
   mesh.plane.resize(shape.faces.size());
   for (int f = 0; f < shape.face_count(); ++f) mesh.update_plane(f);
+  mesh.vertex_origin.resize(shape.vertices.size()), mesh.face_origin.resize(shape.faces.size());
+  std::iota(mesh.vertex_origin.begin(), mesh.vertex_origin.end(), 0);
+  std::iota(mesh.face_origin.begin(), mesh.face_origin.end(), 0);
   return mesh;
 }
 

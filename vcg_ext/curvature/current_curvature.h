@@ -43,6 +43,8 @@ class CurrentCurvature {
     }
   }
 
+  void renumber(const Renumbering& numbers) { numbers.faces(angles_), numbers.vertices(sums_); }
+
  private:
   /// To the sums of the corners that are not on the edge.
   void add(int f, double sign, Edge edge) {

@@ -51,6 +51,11 @@ class CollapseGuards {
     if (bound_.active()) bound_.set(around, error_bound);
   }
 
+  void renumber(const Renumbering& numbers) {
+    numbers.faces(input_normal_);
+    bound_.renumber(numbers);
+  }
+
  private:
   static constexpr double least_shape_quality = 0.01;  // a needle of 1 : 100
   static constexpr double from_input = 2.0 / 3.0;      // of the angle: what a face may turn in all

@@ -38,6 +38,8 @@ class ErrorBound {
     for (int f : around.star()) of_face_[f] = bound;
   }
 
+  void renumber(const Renumbering& numbers) { numbers.faces(of_face_); }
+
  private:
   using Patch = PatchDistance::Patch;
 

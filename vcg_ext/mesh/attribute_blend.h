@@ -11,7 +11,8 @@
 
 namespace curvdecim {
 
-/// The attributes of `keep` become the weighted sum of those of three vertices.
+/// The attributes of `keep` become the weighted sum of those of three vertices. Vertices have the
+/// numbers that they had at the start.
 struct BlendStep {
   static constexpr int none = -1;
 
@@ -33,8 +34,13 @@ class BlendRecord : public CollapseObserver {
   void before(const WorkingMesh& mesh, const EdgeNeighborhood& around, const Collapse& collapse,
               int number) override {
     if (collapse.now == collapse.keep_was) return;
-    steps_[number] = over_surface_ ? nearest_on_surface(mesh, around, collapse) : on_edge(collapse);
+    BlendStep& step = steps_[number];
+    step = over_surface_ ? nearest_on_surface(mesh, around, collapse) : on_edge(collapse);
+    step.keep = mesh.vertex_origin[step.keep];
+    for (int& v : step.from) v = mesh.vertex_origin[v];
   }
+
+  void renumber(const Renumbering&) override {}
 
   const std::vector<BlendStep>& steps() const { return steps_; }
 

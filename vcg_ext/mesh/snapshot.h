@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -18,8 +19,8 @@ namespace curvdecim {
 /// A vcg mesh as index arrays, with the way back.
 struct Snapshot {
   WorkingMesh mesh;
-  std::vector<int> vertex_of;  // by working vertex: index in the vcg mesh
-  std::vector<int> face_of;    // by working face
+  std::vector<int> vertex_of;  // by working vertex at the start: index in the vcg mesh
+  std::vector<int> face_of;    // by working face at the start
   std::vector<int> unusable;   // vcg faces left out: an index twice, or a duplicate
   std::vector<bool> selected;  // by working face
   Vector3 center = Vector3::Zero();
@@ -193,6 +194,9 @@ class SnapshotReader {
     mesh.locked.assign(count, 0);
     mesh.plane.resize(mesh.connectivity.face_slots());
     parallel_.for_each(mesh.connectivity.face_slots(), [&](int f) { mesh.update_plane(f); });
+    mesh.vertex_origin.resize(count), mesh.face_origin.resize(mesh.plane.size());
+    std::iota(mesh.vertex_origin.begin(), mesh.vertex_origin.end(), 0);
+    std::iota(mesh.face_origin.begin(), mesh.face_origin.end(), 0);
     for (int f : snapshot_.face_of) snapshot_.selected.push_back(mesh_.face[f].IsS());
   }
 

@@ -38,6 +38,8 @@ class WedgeTexture : public CollapseObserver {
     for (const Chart& chart : charts) move_corners(mesh, chart, around, collapse);
   }
 
+  void renumber(const Renumbering& numbers) override { numbers.faces(wedges_); }
+
   const FaceWedges& of_face(int f) const { return wedges_[f]; }
 
  private:

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "vcg_ext/connectivity/renumbering.h"
 #include "vcg_ext/connectivity/triangle_connectivity.h"
 #include "vcg_ext/connectivity/vertex_kind.h"
 #include "vcg_ext/geometry/triangle.h"
@@ -18,6 +19,7 @@ struct WorkingMesh {
   std::vector<FacePlane> plane;      // by face
   std::vector<double> importance;    // by vertex: factor on the cost; empty: 1 everywhere
   TriangleConnectivity connectivity;
+  std::vector<int> vertex_origin, face_origin;  // numbers at the start
 
   Triangle triangle(int f) const {
     const Face& face = connectivity.face(f);
@@ -25,6 +27,13 @@ struct WorkingMesh {
   }
 
   void update_plane(int f) { plane[f] = face_plane(triangle(f)); }
+
+  void renumber(const Renumbering& numbers) {
+    numbers.vertices(position), numbers.vertices(kind), numbers.vertices(locked);
+    numbers.vertices(importance), numbers.vertices(vertex_origin);
+    numbers.faces(plane), numbers.faces(face_origin);
+    connectivity = numbers.connectivity(connectivity);
+  }
 };
 
 }  // namespace curvdecim

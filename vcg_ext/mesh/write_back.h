@@ -20,7 +20,7 @@ template <class MeshType>
 class WriteBack {
  public:
   WriteBack(MeshType& mesh, const Snapshot& snapshot)
-      : mesh_(mesh), snapshot_(snapshot), moved_(snapshot.vertex_of.size(), false) {}
+      : mesh_(mesh), snapshot_(snapshot), moved_(snapshot.mesh.position.size(), false) {}
 
   /// wedges: where the mesh has wedge texture coordinates.
   void run(const std::vector<BlendStep>& steps, const std::optional<WedgeTexture>& wedges) {
@@ -41,7 +41,12 @@ class WriteBack {
 
   const TriangleConnectivity& connectivity() const { return snapshot_.mesh.connectivity; }
   bool in_use(int v) const { return connectivity().faces_of(v).size() > 0; }
-  Vertex& vertex(int v) { return mesh_.vert[snapshot_.vertex_of[v]]; }
+  Vertex& vertex(int v) { return start_vertex(snapshot_.mesh.vertex_origin[v]); }
+  /// By the number at the start.
+  Vertex& start_vertex(int v) { return mesh_.vert[snapshot_.vertex_of[v]]; }
+  typename MeshType::FaceType& face(int f) {
+    return mesh_.face[snapshot_.face_of[snapshot_.mesh.face_origin[f]]];
+  }
 
   void move_vertices() {
     for (int v = 0; v < connectivity().vertex_slots(); ++v) {
@@ -55,13 +60,15 @@ class WriteBack {
   }
 
   void connect_faces() {
+    std::vector<bool> kept(snapshot_.face_of.size(), false);
     for (int f = 0; f < connectivity().face_slots(); ++f) {
-      auto& face = mesh_.face[snapshot_.face_of[f]];
-      if (connectivity().alive(f))
-        connect_face(face, f);
-      else
-        vcg::tri::Allocator<MeshType>::DeleteFace(mesh_, face);
+      if (!connectivity().alive(f)) continue;
+      kept[snapshot_.mesh.face_origin[f]] = true;
+      connect_face(face(f), f);
     }
+    for (std::size_t f = 0; f < kept.size(); ++f)
+      if (!kept[f])
+        vcg::tri::Allocator<MeshType>::DeleteFace(mesh_, mesh_.face[snapshot_.face_of[f]]);
     for (int f : snapshot_.unusable)
       vcg::tri::Allocator<MeshType>::DeleteFace(mesh_, mesh_.face[f]);
   }
@@ -101,7 +108,7 @@ class WriteBack {
   void write_wedges(const WedgeTexture& wedges) {
     for (int f = 0; f < connectivity().face_slots(); ++f)
       for (int i = 0; i < 3 && connectivity().alive(f); ++i) {
-        auto& texture = mesh_.face[snapshot_.face_of[f]].WT(i);
+        auto& texture = face(f).WT(i);
         texture.u() = static_cast<decltype(texture.u() + 0)>(wedges.of_face(f)[i].u);
         texture.v() = static_cast<decltype(texture.v() + 0)>(wedges.of_face(f)[i].v);
       }
@@ -124,14 +131,15 @@ class WriteBack {
   /// read(vertex) -> Value, write(vertex, Value).
   template <class Value, class Read, class Write>
   void blend(const std::vector<BlendStep>& steps, Read read, Write write) {
-    std::vector<Value> values(connectivity().vertex_slots());
-    for (std::size_t v = 0; v < values.size(); ++v) values[v] = read(vertex(static_cast<int>(v)));
+    std::vector<Value> values(snapshot_.vertex_of.size());
+    for (std::size_t v = 0; v < values.size(); ++v)
+      values[v] = read(start_vertex(static_cast<int>(v)));
     replay(steps, values);
     std::vector<bool> changed(values.size(), false);
     for (const BlendStep& step : steps)
       if (step.keep != BlendStep::none) changed[step.keep] = true;
     for (std::size_t v = 0; v < values.size(); ++v)
-      if (changed[v]) write(vertex(static_cast<int>(v)), values[v]);
+      if (changed[v]) write(start_vertex(static_cast<int>(v)), values[v]);
   }
 
   void blend_attributes(const std::vector<BlendStep>& steps) {

@@ -30,6 +30,8 @@ class CurvatureAdditiveMetric {
     quadric_.merge(collapse, around, ring);
   }
 
+  void renumber(const Renumbering& numbers) { quadric_.renumber(numbers); }
+
  private:
   /// What one plane weighs around the edge, so that lambda means the same with area weights.
   double plane_unit(Edge edge) const {

@@ -50,6 +50,11 @@ class CurvatureWeightedMetric {
     for (const RingVertex& u : ring) update(u.vertex);
   }
 
+  void renumber(const Renumbering& numbers) {
+    quadric_.renumber(numbers), current_.renumber(numbers);
+    numbers.vertices(saturation_), numbers.vertices(area_);
+  }
+
  private:
   bool follows_current() const { return params_.curvature_of == CurvatureOf::Current; }
 

@@ -76,6 +76,8 @@ class QuadricMetric {
       if (mesh_.kind[u.vertex] == VertexKind::Boundary) recompute(u.vertex);
   }
 
+  void renumber(const Renumbering& numbers) { numbers.vertices(sum_), numbers.vertices(memory_); }
+
  private:
   /// Distances below this part of the edge are rounding (of float coordinates; the sums are
   /// better): all edges in a plane cost exactly nothing.

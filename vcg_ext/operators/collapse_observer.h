@@ -18,6 +18,8 @@ class CollapseObserver {
   /// neighbourhoods share no vertex may be told at the same time.
   virtual void before(const WorkingMesh& mesh, const EdgeNeighborhood& around,
                       const Collapse& collapse, int number) = 0;
+
+  virtual void renumber(const Renumbering& numbers) = 0;
 };
 
 }  // namespace curvdecim

@@ -50,6 +50,7 @@ class CollapseRounds {
       collapse_all(ready, done);
       for (int i = 0; i < ready; ++i) mesh_.connectivity.count(picks_[i].removed);
       done += ready;
+      if (is_sparse()) compact();
     }
     return done;
   }
@@ -74,9 +75,36 @@ class CollapseRounds {
   bool is_large() const { return mesh_.connectivity.vertex_count() >= least_vertices; }
 
   void choose_all() {
-    parallel_.for_ranges(mesh_.connectivity.vertex_slots(), [&](int begin, int end, int worker) {
-      for (int v = begin; v < end; ++v) choices_.set(v, collapser_.cheapest(v, scratch_[worker]));
-    });
+    choose(mesh_.connectivity.vertex_slots(), [](int i) { return i; });
+  }
+
+  /// For the vertices vertex(i), i below count.
+  template <class Vertex>
+  void choose(int count, Vertex vertex) {
+    const auto choose_range = [&](int begin, int end, int worker) {
+      for (int i = begin; i < end; ++i)
+        choices_.set(vertex(i), collapser_.cheapest(vertex(i), scratch_[worker]));
+    };
+    parallel_.for_ranges(count, choose_range, Parallel::heavy);
+  }
+
+  void choose(const std::vector<int>& vertices) {
+    choose(static_cast<int>(vertices.size()), [&](int i) { return vertices[i]; });
+  }
+
+  /// A third of the vertices is gone since the last time.
+  bool is_sparse() const {
+    return 3 * static_cast<std::int64_t>(mesh_.connectivity.vertex_count()) <
+           2 * static_cast<std::int64_t>(mesh_.connectivity.vertex_slots());
+  }
+
+  void compact() {
+    const Renumbering numbers(mesh_.connectivity);
+    collapser_.renumber(numbers), choices_.renumber(numbers), selection_.renumber(numbers);
+    std::vector<int> undecided;
+    for (int v = 0; v < mesh_.connectivity.vertex_slots(); ++v)
+      if (!choices_.exists(v)) undecided.push_back(v);
+    choose(undecided);
   }
 
   bool pick() {
@@ -97,15 +125,8 @@ class CollapseRounds {
     const auto check_pick = [&](int begin, int end, int worker) {
       for (int i = begin; i < end; ++i) check(picks_[i], scratch_[worker]);
     };
-    const auto choose_again = [&](int begin, int end, int worker) {
-      for (int i = begin; i < end; ++i) {
-        const int v = selection_.outdated()[i];
-        choices_.set(v, collapser_.cheapest(v, scratch_[worker]));
-      }
-    };
     parallel_.for_ranges(static_cast<int>(picks_.size()), check_pick, Parallel::heavy);
-    parallel_.for_ranges(static_cast<int>(selection_.outdated().size()), choose_again,
-                         Parallel::heavy);
+    choose(selection_.outdated());
   }
 
   void check(Pick& pick, Scratch& scratch) {

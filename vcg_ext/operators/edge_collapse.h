@@ -41,8 +41,7 @@ class EdgeCollapse {
         scheduler_(scheduler),
         stop_(stop),
         collapser_(mesh, metric, params),
-        queue_(mesh.connectivity.vertex_slots()),
-        rest_(mesh.connectivity.vertex_slots(), 0) {}
+        queue_(0) {}
 
   void add_observer(CollapseObserver& observer) { collapser_.add_observer(observer); }
 
@@ -54,6 +53,8 @@ class EdgeCollapse {
     progress.begin("Collapsing edges");
     if (scheduler_ == Scheduler::Rounds)
       collapses_ = CollapseRounds(mesh_, collapser_, stop_, parallel).run(progress, report);
+    queue_ = EdgeQueue(mesh_.connectivity.vertex_slots());
+    rest_.assign(mesh_.connectivity.vertex_slots(), 0);
     int before;
     do {  // a refused edge may have become possible since: ask all once more before giving up
       before = mesh_.connectivity.face_count();

@@ -18,7 +18,8 @@ namespace curvdecim {
 /// look may run at the same time, and so may collapses whose neighbourhoods share no vertex.
 ///
 /// `Metric` has initialize(parallel), evaluate(edge, allowed, wings) -> optional<Candidate>,
-/// release(around) before a collapse and merge(collapse, around, ring) after it.
+/// release(around) before a collapse, merge(collapse, around, ring) after it, and
+/// renumber(numbers).
 template <class MetricType>
 class EdgeCollapser {
  public:
@@ -116,6 +117,11 @@ class EdgeCollapser {
     gather_ring(mesh_, done.keep, scratch.ring);
     metric_.merge(done, around, scratch.ring);
     return {done.keep, done.gone, removed};
+  }
+
+  void renumber(const Renumbering& numbers) {
+    mesh_.renumber(numbers), metric_.renumber(numbers), guards_.renumber(numbers);
+    for (CollapseObserver* observer : observers_) observer->renumber(numbers);
   }
 
   static constexpr int hub = 64;  // a valence well above those of meshes made for any purpose

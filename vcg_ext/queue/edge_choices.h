@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "vcg_ext/connectivity/edge_neighborhood.h"
+#include "vcg_ext/connectivity/renumbering.h"
 
 namespace curvdecim {
 
@@ -73,6 +74,13 @@ class EdgeChoices {
   /// Takes the edge, if there is one, where it comes before the one that its owner has.
   void offer(int owner, const EdgeChoice& choice) {
     if (choice.exists() && (!exists(owner) || choice < of(owner))) set(owner, choice);
+  }
+
+  /// A partner that is gone becomes none; its owner has to choose again.
+  void renumber(const Renumbering& numbers) {
+    numbers.vertices(priority_), numbers.vertices(partner_);
+    for (int& partner : partner_)
+      if (partner != EdgeChoice::none) partner = numbers.vertex(partner);
   }
 
  private:

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 #include <vector>
 
 #include "vcg_ext/queue/edge_choices.h"
@@ -18,17 +17,12 @@ namespace curvdecim {
 class RoundSelection {
  public:
   explicit RoundSelection(const TriangleConnectivity& connectivity)
-      : connectivity_(connectivity),
-        round_of_(connectivity.vertex_slots(), 0),
-        living_(connectivity.vertex_slots()) {
-    std::iota(living_.begin(), living_.end(), 0);
-  }
+      : connectivity_(connectivity), round_of_(connectivity.vertex_slots(), 0) {}
 
   /// Fills edges() and outdated().
   void pick(const EdgeChoices& choices) {
     ++round_;
     edges_.clear(), outdated_.clear();
-    drop_dead();
     find_limits(choices);
     sort_into_classes(choices);
     for (const std::vector<Candidate>& candidates : class_)
@@ -45,6 +39,8 @@ class RoundSelection {
   const std::vector<Edge>& edges() const { return edges_; }
   /// Vertices that chose an edge that is gone.
   const std::vector<int>& outdated() const { return outdated_; }
+  void renumber(const Renumbering& numbers) { numbers.vertices(round_of_); }
+
   int candidates() const {
     int sum = 0;
     for (const auto& candidates : class_) sum += static_cast<int>(candidates.size());
@@ -69,19 +65,12 @@ class RoundSelection {
     }
   };
 
-  /// When they are a third of the list; the others have no choice.
-  void drop_dead() {
-    if (2 * living_.size() <= 3 * static_cast<std::size_t>(connectivity_.vertex_count())) return;
-    const auto dead = [&](int v) { return connectivity_.faces_of(v).size() == 0; };
-    living_.erase(std::remove_if(living_.begin(), living_.end(), dead), living_.end());
-  }
-
   /// From every n-th vertex.
   void find_limits(const EdgeChoices& choices) {
-    const std::size_t stride = std::max<std::size_t>(1, living_.size() / samples);
+    const int stride = std::max(1, connectivity_.vertex_count() / samples);
     sample_.clear();
-    for (std::size_t i = 0; i < living_.size(); i += stride)
-      if (choices.exists(living_[i])) sample_.push_back(choices.priority(living_[i]));
+    for (int v = 0; v < connectivity_.vertex_slots(); v += stride)
+      if (choices.exists(v)) sample_.push_back(choices.priority(v));
     limit_.fill(Priority(0.0, 0.0));
     if (sample_.empty()) return;
     const auto last = static_cast<std::size_t>(share * sample_.size());
@@ -92,7 +81,7 @@ class RoundSelection {
 
   void sort_into_classes(const EdgeChoices& choices) {
     for (auto& candidates : class_) candidates.clear();
-    for (int v : living_) {
+    for (int v = 0; v < connectivity_.vertex_slots(); ++v) {
       const Priority priority = choices.priority(v);
       if (limit() < priority || !choices.exists(v)) continue;
       const auto c = std::lower_bound(limit_.begin(), limit_.end(), priority) - limit_.begin();
@@ -122,7 +111,6 @@ class RoundSelection {
   const TriangleConnectivity& connectivity_;
   int round_ = 0;
   std::vector<int> round_of_;  // by vertex: the last round in which it was in a neighbourhood taken
-  std::vector<int> living_;    // vertices with a face, ascending
   std::vector<Priority> sample_;
   std::array<Priority, classes> limit_;  // of each class
   std::array<std::vector<Candidate>, classes> class_;
