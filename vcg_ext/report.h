@@ -21,10 +21,16 @@ inline const char* to_string(StopReason reason) {
 }
 
 /// Why a guard refused a collapse.
-enum class Rejection { LinkCondition, NormalFlip, TriangleShape, ErrorBound };
+enum class Rejection {
+  LinkCondition,
+  NormalFlip,
+  TriangleShape,
+  ErrorBound,
+  HubAtRest,  ///< not asked: a vertex of very many faces, of which an edge was refused before
+};
 
-inline constexpr std::array<const char*, 4> rejection_names = {
-    "link_condition", "normal_flip", "triangle_shape", "error_bound"};
+inline constexpr std::array<const char*, 5> rejection_names = {
+    "link_condition", "normal_flip", "triangle_shape", "error_bound", "hub_at_rest"};
 
 struct DecimationReport {
   std::int64_t faces_before = 0, faces = 0;

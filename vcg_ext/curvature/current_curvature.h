@@ -5,6 +5,7 @@
 #include <array>
 #include <vector>
 
+#include "vcg_ext/connectivity/edge_neighborhood.h"
 #include "vcg_ext/curvature/vertex_curvature.h"
 #include "vcg_ext/parallel.h"
 

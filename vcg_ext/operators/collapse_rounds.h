@@ -60,7 +60,7 @@ class CollapseRounds {
 
   /// On a smaller mesh single collapses show in the result, and a round is too little work for all
   /// cores: there, and at a large mesh's end, the strict order takes over.
-  static constexpr int least_vertices = 1024;
+  static constexpr int least_vertices = 512;
   /// One pick in so many candidates: fewer are apart from each other around a hub.
   static constexpr int least_share = 64;
 
@@ -92,10 +92,11 @@ class CollapseRounds {
     choose(static_cast<int>(vertices.size()), [&](int i) { return vertices[i]; });
   }
 
-  /// A third of the vertices is gone since the last time.
+  /// A third of the vertices is gone since the last time, and the rest is more than a cache holds.
   bool is_sparse() const {
-    return 3 * static_cast<std::int64_t>(mesh_.connectivity.vertex_count()) <
-           2 * static_cast<std::int64_t>(mesh_.connectivity.vertex_slots());
+    constexpr int cached = 1 << 14;  // vertices: some megabytes
+    const int places = mesh_.connectivity.vertex_slots();
+    return places > cached && mesh_.connectivity.vertex_count() < places / 3 * 2;
   }
 
   void compact() {

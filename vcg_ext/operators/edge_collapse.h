@@ -39,6 +39,7 @@ class EdgeCollapse {
       : mesh_(mesh),
         metric_(metric),
         scheduler_(scheduler),
+        topology_(params.preserve_topology),
         stop_(stop),
         collapser_(mesh, metric, params),
         queue_(0) {}
@@ -51,13 +52,13 @@ class EdgeCollapse {
     report_ = &report;
     metric_.initialize(parallel);
     progress.begin("Collapsing edges");
-    if (scheduler_ == Scheduler::Rounds)
+    if (scheduler_ == Scheduler::Rounds && topology_)
       collapses_ = CollapseRounds(mesh_, collapser_, stop_, parallel).run(progress, report);
     queue_ = EdgeQueue(mesh_.connectivity.vertex_slots());
-    rest_.assign(mesh_.connectivity.vertex_slots(), 0);
     int before;
     do {  // a refused edge may have become possible since: ask all once more before giving up
       before = mesh_.connectivity.face_count();
+      collapser_.end_all_rests();
       fill_queue(parallel);
       report.stopped_by = empty_queue(progress);
     } while (report.stopped_by == StopReason::NothingLeft &&
@@ -81,7 +82,7 @@ class EdgeCollapse {
       const GuardAnswer answer = collapser_.ask(edge, candidate->position, scratch_);
       if (answer.refusal) {
         ++rejected(*answer.refusal);
-        queue_next_best(edge.a);
+        queue_.set(edge.a, collapser_.cheapest_possible(edge.a, scratch_));
         continue;
       }
       collapse(*candidate, answer.error_bound);
@@ -103,13 +104,6 @@ class EdgeCollapse {
       for (int v = begin; v < end; ++v) choices[v] = collapser_.cheapest(v, scratch);
     });
     for (int v = 0; v < count; ++v) queue_.set(v, choices[v]);
-  }
-
-  /// A hub rests after some tries.
-  void queue_next_best(int v) {
-    queue_.set(v, collapser_.cheapest_possible(v, scratch_));
-    const int valence = mesh_.connectivity.faces_of(v).size();
-    if (valence > collapser_.hub) rest_[v] = valence / hub_rest;
   }
 
   std::int64_t& rejected(Rejection reason) {
@@ -141,11 +135,7 @@ class EdgeCollapse {
   }
 
   /// A hub at rest lets new edges go by.
-  bool passed_over(int owner) {
-    if (rest_[owner] == 0 || queue_.contains(owner)) return false;
-    --rest_[owner];
-    return true;
-  }
+  bool passed_over(int owner) { return !queue_.contains(owner) && collapser_.rests(owner); }
 
   void show(ProgressMeter& progress) const {
     progress.set(stop_.progress(mesh_.connectivity));
@@ -155,17 +145,16 @@ class EdgeCollapse {
   using Scratch = typename EdgeCollapser<MetricType>::Scratch;
 
   static constexpr int steps_per_progress = 1024;  // a few milliseconds
-  static constexpr int hub_rest = 8;  // a refused hub is asked again after an eighth has changed
 
   WorkingMesh& mesh_;
   MetricType& metric_;
   const Scheduler scheduler_;
+  const bool topology_;  // without it a collapse may remove more faces than a round counts on
   const StopCriterion& stop_;
   EdgeCollapser<MetricType> collapser_;
   EdgeQueue queue_;
   Scratch scratch_;
-  std::vector<int> rest_;  // by vertex: new edges still to be passed over
-  VertexRing ring_;        // of the vertex merged last
+  VertexRing ring_;  // of the vertex merged last
   int collapses_ = 0;
   DecimationReport* report_ = nullptr;
 };

@@ -35,7 +35,8 @@ class EdgeCollapser {
         metric_(metric),
         topology_(params.preserve_topology),
         rule_(mesh, params),
-        guards_(mesh, params) {}
+        guards_(mesh, params),
+        rest_(mesh.connectivity.vertex_slots(), 0) {}
 
   void add_observer(CollapseObserver& observer) { observers_.push_back(&observer); }
 
@@ -66,9 +67,8 @@ class EdgeCollapser {
     return *std::min_element(scratch.options.begin(), scratch.options.end());
   }
 
-  /// The cheapest edge of v that no guard refuses. Of a hub some are asked only: each costs as much
-  /// as the hub has faces.
-  EdgeChoice cheapest_possible(int v, Scratch& scratch) const {
+  /// The cheapest edge of v that no guard refuses. Of a hub some are asked only.
+  EdgeChoice cheapest_possible(int v, Scratch& scratch) {
     gather_options(v, scratch);
     std::sort(scratch.options.begin(), scratch.options.end());
     if (scratch.options.size() > hub) scratch.options.resize(hub);
@@ -79,11 +79,26 @@ class EdgeCollapser {
     return {};
   }
 
-  /// Leaves the edge's neighbourhood in the scratch.
-  GuardAnswer ask(Edge edge, const Vector3& x, Scratch& scratch) const {
+  /// Leaves the edge's neighbourhood in the scratch. To ask about a hub's edge costs as much as the
+  /// hub has faces, so that a refused hub rests: its next edges are refused unseen.
+  GuardAnswer ask(Edge edge, const Vector3& x, Scratch& scratch) {
+    const int a_faces = valence(edge.a), b_faces = valence(edge.b);
+    const int busier = a_faces > b_faces ? edge.a : edge.b;
+    if (valence(busier) > hub && rests(busier)) return {Rejection::HubAtRest};
     scratch.around.gather(mesh_.connectivity, edge);
-    return guards_.ask(scratch.around, x);
+    const GuardAnswer answer = guards_.ask(scratch.around, x);
+    if (answer.refusal && valence(busier) > hub) rest_[busier] = valence(busier) / hub_rest;
+    return answer;
   }
+
+  /// True if v rests; called for every edge passed over, until the rest is over.
+  bool rests(int v) {
+    if (rest_[v] == 0) return false;
+    --rest_[v];
+    return true;
+  }
+
+  void end_all_rests() { std::fill(rest_.begin(), rest_.end(), 0); }
 
   // --- collapse ---------------------------------------------------------------------------------
 
@@ -121,12 +136,16 @@ class EdgeCollapser {
 
   void renumber(const Renumbering& numbers) {
     mesh_.renumber(numbers), metric_.renumber(numbers), guards_.renumber(numbers);
+    numbers.vertices(rest_);
     for (CollapseObserver* observer : observers_) observer->renumber(numbers);
   }
 
-  static constexpr int hub = 64;  // a valence well above those of meshes made for any purpose
-
  private:
+  static constexpr int hub = 64;      // a valence well above those of meshes made for any purpose
+  static constexpr int hub_rest = 8;  // a refused hub is asked again after an eighth has changed
+
+  int valence(int v) const { return mesh_.connectivity.faces_of(v).size(); }
+
   std::optional<Candidate> evaluate(Edge edge, const Vector3& wings) const {
     const std::optional<Allowed> allowed = rule_(edge);
     if (!allowed) return std::nullopt;
@@ -178,6 +197,7 @@ class EdgeCollapser {
   const bool topology_;
   const CollapseRule rule_;
   CollapseGuards guards_;
+  std::vector<int> rest_;  // by vertex: edges still to be passed over
   std::vector<CollapseObserver*> observers_;
 };
 

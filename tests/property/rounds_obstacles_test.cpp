@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Large meshes on which edges are refused or few lie apart from each other.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "support/decimation.h"
+#include "support/drawn_meshes.h"
+#include "support/properties.h"
+
+namespace curvdecim::test {
+namespace {
+
+// --- hubs ---------------------------------------------------------------------------------------
+
+void expect_sound(const Shape& before, const EdgeCollapseParams& params) {
+  const Shape after = decimated(before, params).shape;
+  EXPECT_PRED2(keeps_topology, topology(before), topology(after));
+  EXPECT_TRUE(all_finite(after));
+  EXPECT_LT(after.face_count(), before.face_count());
+}
+
+/// Two cones on one rim; the tips are hubs.
+Shape double_cone(int sides) {
+  Shape shape = fan(sides);
+  shape.vertices[0] = {0, 0, 0.5};
+  shape.vertices.push_back({0, 0, -0.5});
+  for (int f = 0; f < sides; ++f)
+    shape.faces.push_back({shape.vertex_count() - 1, shape.faces[f][2], shape.faces[f][1]});
+  return shape;
+}
+
+TEST(Hub, OfThousandsOfFacesIsDecimated) {
+  for (const Shape& shape : {fan(3000), double_cone(10000)})
+    expect_sound(shape, to_faces(shape.face_count() / 2));
+}
+
+TEST(Hub, BesideALargeMeshIsDecimated) {
+  const Shape both = side_by_side({double_cone(2000), translated(torus(96, 48), {3, 0, 0})});
+  for (int target : {9000, 2000}) expect_sound(both, to_faces(target));
+}
+
+// --- guards -------------------------------------------------------------------------------------
+
+/// A plane with thin cells between wide ones. On each face of a thin cell stands a vertex of three
+/// faces: the edges across the thin cells cost nothing, and their collapse would double faces.
+Shape thin_cells(int cells) {
+  const double wide = 1.0 / cells, thin = 0.02 * wide;
+  const Shape grid = lattice(2 * cells, cells, Seam::Open, Seam::Open, [&](double u, double v) {
+    const int column = static_cast<int>(std::lround(2 * cells * u));
+    return Point(column / 2 * wide + column % 2 * thin, v, 0.0);
+  });
+  Shape shape{grid.vertices, {}};
+  for (const Corners& face : grid.faces) {
+    const auto [a, b, c] = corners_of(grid, face);
+    if (std::max({a.x(), b.x(), c.x()}) - std::min({a.x(), b.x(), c.x()}) > 2.0 * thin) {
+      shape.faces.push_back(face);
+      continue;
+    }
+    shape.vertices.push_back((a + b + c) / 3.0 + Point(0, 0, 0.5 * wide));
+    for (int i = 0; i < 3; ++i)
+      shape.faces.push_back({face[i], face[(i + 1) % 3], shape.vertex_count() - 1});
+  }
+  return shape;
+}
+
+TEST(Rounds, AskTheGuards) {
+  const Shape before = thin_cells(48);
+  EdgeCollapseParams params = to_faces(before.face_count() - 1000);
+  params.feature_angle = 180.0;
+  const auto [after, report] = decimated(before, params);
+  EXPECT_PRED2(keeps_topology, topology(before), topology(after));
+  EXPECT_GE(after.face_count(), params.target_faces - 1);
+  EXPECT_GT(report.rejected[static_cast<int>(Rejection::LinkCondition)], 0);
+  EXPECT_GT(report.rejected[static_cast<int>(Rejection::NormalFlip)], 0);
+}
+
+}  // namespace
+}  // namespace curvdecim::test
