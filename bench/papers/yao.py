@@ -47,6 +47,7 @@ HORSE_FRACTION = 0.05
 PAPER_SETTINGS = {
     "preset": "Custom",
     "quadrics": "Accumulated",
+    "scheduler": "Lazy",
     "planeweight": "Unit",
     "placement": "Optimal",
     "featureangle": 180.0,

@@ -34,7 +34,8 @@ class Similarity : public testing::TestWithParam<NamedShape> {
   /// `moved` is the shape under a similarity of this scale; part: of the error, that it may differ.
   void expect_same_error(const Shape& moved, double scale, double part) const {
     const Shape after = decimated(moved, params()).shape;
-    EXPECT_EQ(after.face_count(), decimated(shape(), params()).shape.face_count());
+    EXPECT_LE(after.face_count(), params().target_faces);
+    EXPECT_GE(after.face_count(), params().target_faces - 1);
     EXPECT_NEAR(two_sided_rms(moved, after) / scale, rms(shape()), nothing() + part * rms(shape()));
   }
 

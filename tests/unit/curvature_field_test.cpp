@@ -67,13 +67,23 @@ TEST(AverageOverRings, SpreadsASpikeOverItsRingAndNoFurther) {
   EXPECT_EQ(after.area, field.area);
 }
 
-/// On the boundary a neighbour shares one face and counts half.
-TEST(AverageOverRings, LeavesAVertexWithoutFacesAlone) {
+TEST(AverageOverRings, GivesABoundaryVertexWhatItsInnerNeighboursHave) {
+  const WorkingMesh mesh = working_mesh(plane_grid(2));
+  constexpr int inner = 4;
+  CurvatureField field = field_with(mesh, 5.0);
+  field.value[inner] = 1.0;
+  const CurvatureField after = averaged(mesh, field);
+  EXPECT_EQ(after.value[inner], 1.0);
+  for (int v = 0; v < mesh.connectivity.vertex_slots(); ++v)
+    if (v != inner) EXPECT_EQ(after.value[v], mesh.connectivity.has_edge(v, inner) ? 1.0 : 5.0);
+}
+
+TEST(AverageOverRings, LeavesAVertexWithoutInnerNeighboursAlone) {
   Shape shape = one_triangle();
   shape.vertices.push_back({5, 5, 5});
   const WorkingMesh mesh = working_mesh(shape);
-  const CurvatureField after = averaged(mesh, {{0.0, 3.0, 6.0, 9.0}, {1, 1, 1, 1}});
-  EXPECT_EQ(after.value, (std::vector<double>{2.25, 3.0, 3.75, 9.0}));
+  const std::vector<double> values = {0.0, 3.0, 6.0, 9.0};
+  EXPECT_EQ(averaged(mesh, {values, {1, 1, 1, 1}}).value, values);
 }
 
 TEST(AverageOverRings, DoesNotDependOnTheThreads) {

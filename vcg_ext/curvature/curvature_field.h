@@ -32,17 +32,21 @@ inline CurvatureField curvature_field(const WorkingMesh& mesh, CurvatureKind kin
 }
 
 /// Each vertex gets the mean of its own value and its neighbours', which count by the faces that
-/// they share with it: the curvature of single vertices is mostly noise.
+/// they share with it: the curvature of single vertices is mostly noise. Only inner vertices count,
+/// where there are any: on a boundary the angles tell how the boundary turns, not the surface.
 inline void average_over_rings(const WorkingMesh& mesh, CurvatureField& field,
                                const Parallel& parallel) {
   const std::vector<double> value = field.value;
   parallel.for_each(static_cast<int>(value.size()), [&](int v) {
-    const auto faces = mesh.connectivity.faces_of(v);
-    double twice = 0.0;  // the sum of the neighbours: inside, each is in two faces
-    for (int f : faces)
+    double sum = 0.0, weight = 0.0;
+    const auto add = [&](int u, double part) {
+      if (mesh.kind[u] == VertexKind::Interior) sum += part * value[u], weight += part;
+    };
+    add(v, 1.0);
+    for (int f : mesh.connectivity.faces_of(v))
       for (int u : mesh.connectivity.face(f))
-        if (u != v) twice += value[u];
-    field.value[v] = (value[v] + 0.5 * twice) / (1 + faces.size());
+        if (u != v) add(u, 0.5);  // inside, each neighbour is in two faces
+    if (weight > 0.0) field.value[v] = sum / weight;
   });
 }
 

@@ -23,8 +23,8 @@ namespace curvdecim {
 template <class MetricType>
 class EdgeCollapser {
  public:
-  /// Reused from edge to edge; every thread has its own.
-  struct Scratch {
+  /// Reused from edge to edge; every thread has its own, on cache lines of its own.
+  struct alignas(128) Scratch {
     EdgeNeighborhood around;  // of the edge asked about or collapsed last
     VertexRing ring;          // of the vertex last chosen for, or merged
     std::vector<EdgeChoice> options;
