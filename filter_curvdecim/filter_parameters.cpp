@@ -5,6 +5,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstring>
 
 #include "vcg_ext/errors.h"
 
@@ -79,10 +80,16 @@ std::string describe(const Range& range, const std::string& unit) {
 }
 
 std::string dialog_help(const Parameter& parameter) {
-  std::string html = parameter.hint;
+  constexpr std::size_t line = 70;  // characters that the dialog shows side by side
+  std::size_t length = 0;
   for (const EnumValue& value : parameter.values)
-    html += (html.empty() ? "<b>" : "<br><b>") + value.name + "</b>: " + value.hint;
-  return html;
+    length += value.name.size() + value.hint.size() + std::strlen(": ; ");
+  const char* const between = length <= line ? "; <b>" : "<br><b>";
+  std::string values;
+  for (const EnumValue& value : parameter.values)
+    values += (values.empty() ? "<b>" : between) + value.name + "</b>" +
+              (value.hint.empty() ? "" : ": ") + value.hint;
+  return parameter.hint + (parameter.hint.empty() || values.empty() ? "" : "<br>") + values;
 }
 
 std::string decimal(double number) {

@@ -73,9 +73,8 @@ TEST(AverageOverRings, GivesABoundaryVertexWhatItsInnerNeighboursHave) {
   CurvatureField field = field_with(mesh, 5.0);
   field.value[inner] = 1.0;
   const CurvatureField after = averaged(mesh, field);
-  EXPECT_EQ(after.value[inner], 1.0);
   for (int v = 0; v < mesh.connectivity.vertex_slots(); ++v)
-    if (v != inner) EXPECT_EQ(after.value[v], mesh.connectivity.has_edge(v, inner) ? 1.0 : 5.0);
+    EXPECT_EQ(after.value[v], v == inner || mesh.connectivity.has_edge(v, inner) ? 1.0 : 5.0);
 }
 
 TEST(AverageOverRings, LeavesAVertexWithoutInnerNeighboursAlone) {
