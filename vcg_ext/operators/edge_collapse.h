@@ -99,10 +99,13 @@ class EdgeCollapse {
   void fill_queue(const Parallel& parallel) {
     const int count = mesh_.connectivity.vertex_slots();
     std::vector<EdgeChoice> choices(count);
-    parallel.for_ranges(count, [&](int begin, int end, int) {
-      Scratch scratch;
-      for (int v = begin; v < end; ++v) choices[v] = collapser_.cheapest(v, scratch);
-    });
+    parallel.for_ranges(
+        count,
+        [&](int begin, int end, int) {
+          Scratch scratch;
+          for (int v = begin; v < end; ++v) choices[v] = collapser_.cheapest(v, scratch);
+        },
+        Parallel::heavy);
     for (int v = 0; v < count; ++v) queue_.set(v, choices[v]);
   }
 

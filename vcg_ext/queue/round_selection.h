@@ -39,8 +39,6 @@ class RoundSelection {
   const std::vector<Edge>& edges() const { return edges_; }
   /// Vertices that chose an edge that is gone.
   const std::vector<int>& outdated() const { return outdated_; }
-  void renumber(const Renumbering& numbers) { numbers.vertices(round_of_); }
-
   int candidates() const {
     int sum = 0;
     for (const auto& candidates : class_) sum += static_cast<int>(candidates.size());
@@ -48,6 +46,8 @@ class RoundSelection {
   }
   /// What an edge of this round may cost at most.
   Priority limit() const { return limit_.back(); }
+
+  void renumber(const Renumbering& numbers) { numbers.vertices(round_of_); }
 
  private:
   /// Of the vertices' choices. A larger share takes fewer rounds and leaves the greedy order
