@@ -54,6 +54,7 @@ DecimationReport decimate_edge_collapse(MeshType& mesh, const EdgeCollapseParams
     run_edge_collapse(mesh, with_preset(requested), meter, report);
   } catch (const CancelRequest&) {
     report.stopped_by = StopReason::Cancelled;
+    report.max_error = 0.0;  // nothing changed
   }
   finish(mesh, report);
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

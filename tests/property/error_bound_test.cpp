@@ -99,5 +99,16 @@ TEST(ErrorBound, AndATargetStopAtWhicheverComesFirst) {
   EXPECT_NE(report.stopped_by, StopReason::Target);
 }
 
+TEST(ErrorBound, OfACancelledRunIsNone) {
+  BareMesh mesh;
+  fill(mesh, noisy_sphere(4, 0.01));
+  EdgeCollapseParams params = to_faces(100);
+  params.max_error = 0.1;
+  const DecimationReport report =
+      decimate(mesh, params, [](int percent, const char*) { return percent < 20; });
+  EXPECT_EQ(report.stopped_by, StopReason::Cancelled);
+  EXPECT_EQ(report.max_error, 0.0);
+}
+
 }  // namespace
 }  // namespace curvdecim::test
