@@ -41,6 +41,8 @@ struct DecimationReport {
   std::array<std::int64_t, rejection_names.size()> rejected{};  ///< by Rejection
   double seconds = 0.0;
   std::vector<std::string> notes;  ///< repairs, warnings and the reason of the stop, for the log
+
+  std::int64_t& rejected_by(Rejection reason) { return rejected[static_cast<std::size_t>(reason)]; }
 };
 
 }  // namespace curvdecim

@@ -12,7 +12,7 @@
 namespace curvdecim::test {
 namespace {
 
-/// Down to about so many faces there are rounds.
+/// A target that is reached within the rounds.
 constexpr int last_in_rounds = 2 * 4096;
 
 Shape decimated_by(Scheduler scheduler, const Shape& shape) {

@@ -13,7 +13,7 @@
 namespace curvdecim::test {
 namespace {
 
-/// Down to about so many faces there are rounds.
+/// A target that is reached within the rounds.
 constexpr int last_in_rounds = 2 * 4096;
 
 EdgeCollapseParams with_scheduler(Scheduler scheduler, int faces) {

@@ -5,6 +5,7 @@
 
 #include "support/shape.h"
 #include "vcg_ext/mesh/working_mesh.h"
+#include "vcg_ext/metric/candidate.h"
 
 namespace curvdecim::test {
 
@@ -25,6 +26,20 @@ inline WorkingMesh working_mesh(const Shape& shape) {
   std::iota(mesh.vertex_origin.begin(), mesh.vertex_origin.end(), 0);
   std::iota(mesh.face_origin.begin(), mesh.face_origin.end(), 0);
   return mesh;
+}
+
+/// Collapses b of an edge into a, which goes to x, as the operator does; release(around) before,
+/// merge(done, around) after.
+template <class Release, class Merge>
+void collapse_edge(WorkingMesh& mesh, Edge edge, const Vector3& x, Release release, Merge merge) {
+  EdgeNeighborhood around;
+  around.gather(mesh.connectivity, edge);
+  const Collapse done{edge.a, edge.b, mesh.position[edge.a], mesh.position[edge.b], x, 0.5};
+  release(around);
+  mesh.position[edge.a] = x;
+  mesh.connectivity.count(mesh.connectivity.collapse(edge.a, edge.b));
+  for (int f : around.star()) mesh.update_plane(f);
+  merge(done, around);
 }
 
 inline Shape shape_of(const WorkingMesh& mesh) {

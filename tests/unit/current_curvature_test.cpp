@@ -21,19 +21,6 @@ bool may_collapse(const WorkingMesh& mesh, Edge edge) {
   return satisfies_link_condition(mesh, around);
 }
 
-/// Collapses b of an edge into a, which goes to x, and lets the observer follow.
-template <class Release, class Merge>
-void collapse(WorkingMesh& mesh, Edge edge, const Vector3& x, Release release, Merge merge) {
-  EdgeNeighborhood around;
-  around.gather(mesh.connectivity, edge);
-  const Collapse done{edge.a, edge.b, mesh.position[edge.a], mesh.position[edge.b], x, 0.5};
-  release(around);
-  mesh.position[edge.a] = x;
-  mesh.connectivity.count(mesh.connectivity.collapse(edge.a, edge.b));
-  for (int f : around.star()) mesh.update_plane(f);
-  merge(done, around);
-}
-
 // --- of a vertex ---------------------------------------------------------------------------------
 
 /// Every third edge between a vertex and the next one goes.
@@ -42,7 +29,7 @@ void collapse_some(WorkingMesh& mesh, CurrentCurvature& current) {
     const Edge edge{v, v + 1};
     if (!may_collapse(mesh, edge)) continue;
     const Vector3 x = 0.3 * mesh.position[edge.a] + 0.7 * mesh.position[edge.b];
-    collapse(
+    collapse_edge(
         mesh, edge, x, [&](const EdgeNeighborhood& around) { current.release(around); },
         [&](const Collapse& done, const EdgeNeighborhood& around) {
           current.merge(done.keep, around);
@@ -110,7 +97,7 @@ void expect_factors_after_a_collapse(CurvatureOf of, Saturation saturation) {
   weighted.initialize(Parallel(1)), plain.initialize(Parallel(1));
   VertexRing ring;
   const Vector3 x = mesh.position[25] + Vector3(0, 0, 0.05);
-  collapse(
+  collapse_edge(
       mesh, {24, 25}, x,
       [&](const EdgeNeighborhood& around) { weighted.release(around), plain.release(around); },
       [&](const Collapse& done, const EdgeNeighborhood& around) {

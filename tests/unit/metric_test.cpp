@@ -164,19 +164,16 @@ TEST(CurvatureWeightedMetric, WithInfiniteAlphaIsTheQuadric) {
 
 // --- after a collapse ----------------------------------------------------------------------------
 
-/// Collapses b of an edge into a as the operator does, and lets the metrics follow.
+/// Collapses b of an edge into a, which goes to x, and lets the metrics follow.
 template <class... Metrics>
 void collapse(WorkingMesh& mesh, Edge edge, const Vector3& x, Metrics&... metrics) {
-  EdgeNeighborhood around;
-  around.gather(mesh.connectivity, edge);
-  const Collapse done{edge.a, edge.b, mesh.position[edge.a], mesh.position[edge.b], x, 0.5};
-  (metrics.release(around), ...);
-  mesh.position[edge.a] = x;
-  mesh.connectivity.collapse(edge.a, edge.b);
-  for (int f : around.star()) mesh.update_plane(f);
-  VertexRing ring;
-  gather_ring(mesh, edge.a, ring);
-  (metrics.merge(done, around, ring), ...);
+  collapse_edge(
+      mesh, edge, x, [&](const EdgeNeighborhood& around) { (metrics.release(around), ...); },
+      [&](const Collapse& done, const EdgeNeighborhood& around) {
+        VertexRing ring;
+        gather_ring(mesh, edge.a, ring);
+        (metrics.merge(done, around, ring), ...);
+      });
 }
 
 /// All edges of the mesh as it is.

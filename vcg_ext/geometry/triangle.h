@@ -21,6 +21,8 @@ inline Vector3 area_vector(const Triangle& t) { return area_vector(t[0], t[1], t
 struct FacePlane {
   Vector3 normal = Vector3::Zero();
   double area = 0.0;
+
+  Vector3 area_vector() const { return area * normal; }
 };
 
 inline FacePlane face_plane(const Triangle& t) {

@@ -26,7 +26,7 @@ inline Vector3 wings_of(const WorkingMesh& mesh, Edge edge) {
   const int near = a_has_fewer ? edge.a : edge.b, far = a_has_fewer ? edge.b : edge.a;
   Vector3 sum = Vector3::Zero();
   for (int f : connectivity.faces_of(near))
-    if (connectivity.face_has(f, far)) sum += mesh.plane[f].area * mesh.plane[f].normal;
+    if (connectivity.face_has(f, far)) sum += mesh.plane[f].area_vector();
   return sum;
 }
 
@@ -44,7 +44,7 @@ inline void add_to_ring(int u, const Vector3& area_vector, VertexRing& ring) {
 inline void gather_long_ring(const WorkingMesh& mesh, int v, VertexRing& ring) {
   for (int f : mesh.connectivity.faces_of(v))
     for (int u : mesh.connectivity.face(f))
-      if (u != v) ring.push_back({u, mesh.plane[f].area * mesh.plane[f].normal});
+      if (u != v) ring.push_back({u, mesh.plane[f].area_vector()});
   std::stable_sort(ring.begin(), ring.end(),
                    [](const RingVertex& a, const RingVertex& b) { return a.vertex < b.vertex; });
   std::size_t last = 0;
@@ -62,7 +62,7 @@ inline void gather_ring(const WorkingMesh& mesh, int v, VertexRing& ring) {
   const auto faces = mesh.connectivity.faces_of(v);
   if (faces.size() > long_ring) return gather_long_ring(mesh, v, ring);
   for (int f : faces) {
-    const Vector3 area_vector = mesh.plane[f].area * mesh.plane[f].normal;
+    const Vector3 area_vector = mesh.plane[f].area_vector();
     for (int u : mesh.connectivity.face(f))
       if (u != v) add_to_ring(u, area_vector, ring);
   }

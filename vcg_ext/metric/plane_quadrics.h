@@ -24,7 +24,7 @@ inline Symmetric3 plane_matrix(const WorkingMesh& mesh, int v, PlaneWeight weigh
 /// Sum of the area vectors of the faces around v: how the volume below the faces grows with v.
 inline Vector3 volume_gradient(const WorkingMesh& mesh, int v) {
   Vector3 sum = Vector3::Zero();
-  for (int f : mesh.connectivity.faces_of(v)) sum += mesh.plane[f].area * mesh.plane[f].normal;
+  for (int f : mesh.connectivity.faces_of(v)) sum += mesh.plane[f].area_vector();
   return sum;
 }
 

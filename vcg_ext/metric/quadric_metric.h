@@ -96,7 +96,7 @@ class QuadricMetric {
   /// To the sums of the corners that are not on the edge.
   void add_face(int f, double sign, Edge edge) {
     const Symmetric3 plane = plane_matrix_of_face(mesh_, f, params_.plane_weight) * sign;
-    const Vector3 area_vector = (sign * mesh_.plane[f].area) * mesh_.plane[f].normal;
+    const Vector3 area_vector = sign * mesh_.plane[f].area_vector();
     for (int v : mesh_.connectivity.face(f)) {
       if (v == edge.a || v == edge.b) continue;
       sum_[v].quadric.a += plane;

@@ -147,7 +147,7 @@ class CollapseRounds {
   /// Puts those to be done in front; their number.
   int settle(DecimationReport& report) {
     for (const Pick& pick : picks_)
-      if (pick.answer.refusal) ++report.rejected[static_cast<std::size_t>(*pick.answer.refusal)];
+      if (pick.answer.refusal) ++report.rejected_by(*pick.answer.refusal);
     const auto end = std::stable_partition(picks_.begin(), picks_.end(),
                                            [](const Pick& pick) { return pick.ready; });
     const int ready = needed(static_cast<int>(end - picks_.begin()));

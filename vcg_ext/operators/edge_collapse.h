@@ -38,8 +38,7 @@ class EdgeCollapse {
                Scheduler scheduler, const StopCriterion& stop)
       : mesh_(mesh),
         metric_(metric),
-        scheduler_(scheduler),
-        topology_(params.preserve_topology),
+        scheduler_(params.preserve_topology ? scheduler : one_by_one(scheduler)),
         stop_(stop),
         collapser_(mesh, metric, params),
         queue_(0) {}
@@ -52,7 +51,7 @@ class EdgeCollapse {
     report_ = &report;
     metric_.initialize(parallel);
     progress.begin("Collapsing edges");
-    if (scheduler_ == Scheduler::Rounds && topology_)
+    if (scheduler_ == Scheduler::Rounds)
       collapses_ = CollapseRounds(mesh_, collapser_, stop_, parallel).run(progress, report);
     queue_ = EdgeQueue(mesh_.connectivity.vertex_slots());
     int before;
@@ -63,11 +62,17 @@ class EdgeCollapse {
       report.stopped_by = empty_queue(progress);
     } while (report.stopped_by == StopReason::NothingLeft &&
              mesh_.connectivity.face_count() < before);
-    if (report.stopped_by == StopReason::NothingLeft && rejected(Rejection::ErrorBound) > 0)
+    if (report.stopped_by == StopReason::NothingLeft &&
+        report.rejected_by(Rejection::ErrorBound) > 0)
       report.stopped_by = StopReason::ErrorBound;
   }
 
  private:
+  /// Without the link condition a collapse may remove more faces than a round counts on.
+  static Scheduler one_by_one(Scheduler scheduler) {
+    return scheduler == Scheduler::Rounds ? Scheduler::Lazy : scheduler;
+  }
+
   StopReason empty_queue(ProgressMeter& progress) {
     for (int steps = 0; !stop_.reached(mesh_.connectivity); ++steps) {
       if (queue_.empty()) return StopReason::NothingLeft;
@@ -81,7 +86,7 @@ class EdgeCollapse {
       }
       const GuardAnswer answer = collapser_.ask(edge, candidate->position, scratch_);
       if (answer.refusal) {
-        ++rejected(*answer.refusal);
+        ++report_->rejected_by(*answer.refusal);
         queue_.set(edge.a, collapser_.cheapest_possible(edge.a, scratch_));
         continue;
       }
@@ -107,10 +112,6 @@ class EdgeCollapse {
         },
         Parallel::heavy);
     for (int v = 0; v < count; ++v) queue_.set(v, choices[v]);
-  }
-
-  std::int64_t& rejected(Rejection reason) {
-    return report_->rejected[static_cast<std::size_t>(reason)];
   }
 
   void collapse(const Candidate& candidate, double error_bound) {
@@ -152,7 +153,6 @@ class EdgeCollapse {
   WorkingMesh& mesh_;
   MetricType& metric_;
   const Scheduler scheduler_;
-  const bool topology_;  // without it a collapse may remove more faces than a round counts on
   const StopCriterion& stop_;
   EdgeCollapser<MetricType> collapser_;
   EdgeQueue queue_;
