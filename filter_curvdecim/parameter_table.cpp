@@ -84,8 +84,8 @@ std::vector<Parameter> metric_rows() {
       {"Preset", "Preset", Kind::Enum, any, "",
        "Speed against quality, as a named setting of <i>Quadrics</i>, <i>Weight of a plane</i>, "
        "<i>Placement</i> and <i>Scheduler</i>. The metric and its weights stay as given.", "",
-       {{"Fast", "higher error", "accumulated quadrics: the least time"},
-        {"Balanced", "", "memoryless quadrics: lower error"},
+       {{"Fast", "", "memoryless quadrics, few rounds: the least time"},
+        {"Balanced", "", "more rounds: lower error"},
         {"Best", "slower",
          "the same, one by one, with every edge around kept up to date: slower, slightly lower error"},
         {"Custom", "as below", "every parameter as given below"}},
@@ -185,12 +185,13 @@ std::vector<Parameter> custom_rows() {
        {edge_collapse<&EdgeCollapseParams::placement>()}},
       {"Scheduler", "Scheduler (preset Custom)", Kind::Enum, any, "",
        "Used with the preset Custom.", "",
-       {{"Rounds", "fastest",
+       {{"Rounds", "fast",
          "many collapses at once on all cores, the cheapest that lie apart"},
         {"Lazy", "strict order",
          "one by one, cheapest first; costs are brought up to date when they come up"},
         {"Eager", "slightly lower error",
-         "one by one, cheapest first; costs around are brought up to date at once"}},
+         "one by one, cheapest first; costs around are brought up to date at once"},
+        {"FewRounds", "fastest", "as Rounds, with more collapses a round"}},
        {edge_collapse<&EdgeCollapseParams::scheduler>()}},
   };
 }

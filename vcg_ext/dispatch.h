@@ -23,10 +23,12 @@ void with_metric(const WorkingMesh& mesh, const EdgeCollapseParams& params, doub
 /// The named settings; Custom leaves all as it is.
 inline EdgeCollapseParams with_preset(EdgeCollapseParams params) {
   if (params.preset == Preset::Custom) return params;
-  params.quadrics = params.preset == Preset::Fast ? Quadrics::Accumulated : Quadrics::Memoryless;
+  params.quadrics = Quadrics::Memoryless;
   params.plane_weight = PlaneWeight::Area;
   params.placement = Placement::Optimal;
-  params.scheduler = params.preset == Preset::Best ? Scheduler::Eager : Scheduler::Rounds;
+  params.scheduler = params.preset == Preset::Best   ? Scheduler::Eager
+                     : params.preset == Preset::Fast ? Scheduler::FewRounds
+                                                     : Scheduler::Rounds;
   return params;
 }
 

@@ -55,9 +55,10 @@ enum class Placement {
 
 /// In which order edges collapse, and which costs are computed anew after a collapse.
 enum class Scheduler {
-  Rounds,  ///< many at once on all cores, the cheapest that lie apart; new edges' costs
-  Lazy,    ///< one by one, the cheapest first; new edges' costs, others when they come up
-  Eager,   ///< one by one, the cheapest first; costs of all edges around: slower, more exact
+  Rounds,     ///< many at once on all cores, the cheapest that lie apart; new edges' costs
+  Lazy,       ///< one by one, the cheapest first; new edges' costs, others when they come up
+  Eager,      ///< one by one, the cheapest first; costs of all edges around: slower, more exact
+  FewRounds,  ///< as Rounds, with more collapses a round: faster, further from the greedy order
 };
 
 /// Speed against quality: a named setting of quadrics, plane_weight, placement and scheduler.

@@ -69,7 +69,7 @@ class ApartCollapsesOn : public testing::TestWithParam<NamedShape> {
         choices.offer(a, {{0.0, 0.0}, b});
       }
     RoundSelection selection(connectivity_);
-    selection.pick(choices);
+    selection.begin(choices, 0.25), selection.pick();
     edges_ = selection.edges();
   }
 

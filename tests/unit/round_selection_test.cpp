@@ -44,6 +44,8 @@ std::vector<std::pair<int, int>> pairs(const std::vector<Edge>& edges) {
   return result;
 }
 
+constexpr double share = 0.25;
+
 class RoundSelectionOn : public testing::TestWithParam<NamedShape> {
  protected:
   WorkingMesh mesh_ = working_mesh(GetParam().shape);
@@ -52,17 +54,21 @@ class RoundSelectionOn : public testing::TestWithParam<NamedShape> {
 };
 
 TEST_P(RoundSelectionOn, PicksEdgesThatLieApart) {
-  selection_.pick(choices_);
-  std::set<int> taken;
-  for (Edge edge : selection_.edges()) {
-    const std::set<int> around = neighborhood(mesh_, edge);
-    EXPECT_FALSE(meets(around, taken)) << edge.a << '-' << edge.b;
-    taken.insert(around.begin(), around.end());
+  selection_.begin(choices_, share);
+  for (int picks = 0; picks < 3; ++picks) {
+    selection_.pick();
+    std::set<int> taken;
+    for (Edge edge : selection_.edges()) {
+      const std::set<int> around = neighborhood(mesh_, edge);
+      EXPECT_FALSE(meets(around, taken)) << edge.a << '-' << edge.b;
+      taken.insert(around.begin(), around.end());
+    }
   }
 }
 
 TEST_P(RoundSelectionOn, PicksChoicesThatCostNoMoreThanTheLimit) {
-  selection_.pick(choices_);
+  selection_.begin(choices_, share);
+  selection_.pick();
   EXPECT_FALSE(selection_.edges().empty());
   for (Edge edge : selection_.edges()) {
     EXPECT_EQ(choices_.of(edge.a).partner, edge.b);
@@ -71,7 +77,8 @@ TEST_P(RoundSelectionOn, PicksChoicesThatCostNoMoreThanTheLimit) {
 }
 
 TEST_P(RoundSelectionOn, PassesOverOnlyWhatTouchesAPickOrIsDearer) {
-  selection_.pick(choices_);
+  selection_.begin(choices_, share);
+  selection_.pick();
   std::set<int> taken;
   for (Edge edge : selection_.edges()) taken.merge(neighborhood(mesh_, edge));
   for (int v = 0; v < mesh_.connectivity.vertex_slots(); ++v) {
@@ -80,17 +87,43 @@ TEST_P(RoundSelectionOn, PassesOverOnlyWhatTouchesAPickOrIsDearer) {
   }
 }
 
-TEST_P(RoundSelectionOn, FindsNothingOutdatedWhereAllEdgesExist) {
-  selection_.pick(choices_);
-  EXPECT_TRUE(selection_.outdated().empty());
+TEST_P(RoundSelectionOn, PicksEveryCandidateOnce) {
+  selection_.begin(choices_, share);
+  const int candidates = selection_.candidates();
+  std::set<std::pair<int, int>> picked;
+  while (selection_.candidates() > 0) {
+    selection_.pick();
+    for (Edge edge : selection_.edges()) EXPECT_TRUE(picked.insert({edge.a, edge.b}).second);
+  }
+  EXPECT_EQ(static_cast<int>(picked.size()), candidates);
+}
+
+TEST_P(RoundSelectionOn, PicksNoEdgeOfAVertexMergedInTheRound) {
+  selection_.begin(choices_, share);
+  std::set<int> merged;
+  while (selection_.candidates() > 0) {
+    selection_.pick();
+    for (Edge edge : selection_.edges()) {
+      EXPECT_FALSE(meets({edge.a, edge.b}, merged)) << edge.a << '-' << edge.b;
+      merged.insert({edge.a, edge.b});
+      selection_.set_merged(edge);
+    }
+  }
+  selection_.begin(choices_, share);
+  selection_.pick();
+  EXPECT_FALSE(selection_.edges().empty()) << "a new round";
 }
 
 TEST_P(RoundSelectionOn, PicksTheSameAgain) {
   RoundSelection other(mesh_.connectivity);
-  selection_.pick(choices_), other.pick(choices_);
+  for (RoundSelection* selection : {&selection_, &other}) {
+    selection->begin(choices_, share);
+    selection->pick();
+  }
   const auto once = pairs(selection_.edges());
   EXPECT_EQ(pairs(other.edges()), once);
-  selection_.pick(choices_);
+  selection_.begin(choices_, share);
+  selection_.pick();
   EXPECT_EQ(pairs(selection_.edges()), once);
 }
 
@@ -98,7 +131,8 @@ TEST_P(RoundSelectionOn, PicksTheCheapestOfAllFirst) {
   int cheapest = 0;
   for (int v = 0; v < mesh_.connectivity.vertex_slots(); ++v)
     if (choices_.priority(v) < choices_.priority(cheapest)) cheapest = v;
-  selection_.pick(choices_);
+  selection_.begin(choices_, share);
+  selection_.pick();
   EXPECT_EQ(selection_.edges().at(0).a, cheapest);
 }
 
@@ -111,72 +145,28 @@ std::vector<NamedShape> meshes() {
 INSTANTIATE_TEST_SUITE_P(Drawn, RoundSelectionOn, testing::ValuesIn(meshes()), name_of);
 
 TEST(RoundSelection, LooksAtACheapestShareOfTheChoices) {
-  for (int subdivisions : {3, 5}) {  // every second is a sample; every fortieth is
-    const WorkingMesh mesh = working_mesh(noisy_sphere(subdivisions, 0.01));
-    const EdgeChoices choices = shortest_edges(mesh);
-    RoundSelection selection(mesh.connectivity);
-    selection.pick(choices);
-    int all = 0;
-    for (int v = 0; v < mesh.connectivity.vertex_slots(); ++v) all += choices.exists(v);
-    EXPECT_NEAR(selection.candidates(), 0.25 * all, 0.03 * all);
-    EXPECT_LT(selection.edges().size(), static_cast<std::size_t>(selection.candidates()));
-  }
+  for (int subdivisions : {3, 5})  // every second is a sample; every fortieth is
+    for (double part : {0.25, 0.8}) {
+      const WorkingMesh mesh = working_mesh(noisy_sphere(subdivisions, 0.01));
+      const EdgeChoices choices = shortest_edges(mesh);
+      RoundSelection selection(mesh.connectivity);
+      selection.begin(choices, part);
+      int all = 0;
+      for (int v = 0; v < mesh.connectivity.vertex_slots(); ++v) all += choices.exists(v);
+      EXPECT_NEAR(selection.candidates(), part * all, 0.05 * all);
+    }
 }
 
 TEST(RoundSelection, PicksNothingWhereNothingIsChosen) {
   const WorkingMesh mesh = working_mesh(icosphere(2));
   RoundSelection selection(mesh.connectivity);
-  selection.pick(shortest_edges(mesh));
+  selection.begin(shortest_edges(mesh), share);
+  selection.pick();
   ASSERT_FALSE(selection.edges().empty());
-  selection.pick(EdgeChoices(mesh.connectivity.vertex_slots()));
-  EXPECT_TRUE(selection.edges().empty());
-  EXPECT_TRUE(selection.outdated().empty());
+  selection.begin(EdgeChoices(mesh.connectivity.vertex_slots()), share);
   EXPECT_EQ(selection.candidates(), 0);
-}
-
-TEST(RoundSelection, TellsWhoChoseAnEdgeThatIsGone) {
-  const WorkingMesh mesh = working_mesh(icosphere(2));
-  constexpr Edge gone{0, 5};  // of the icosahedron, divided since
-  ASSERT_FALSE(mesh.connectivity.has_edge(gone.a, gone.b));
-  EdgeChoices choices = shortest_edges(mesh);
-  choices.set(gone.a, {{0.0, 0.0}, gone.b});
-  RoundSelection selection(mesh.connectivity);
-  selection.pick(choices);
-  EXPECT_EQ(selection.outdated(), std::vector<int>{gone.a});
-  EXPECT_FALSE(selection.edges().empty());
-  for (Edge edge : selection.edges()) EXPECT_NE(edge.a, gone.a);
-  choices.remove(gone.a);
-  selection.pick(choices);
-  EXPECT_TRUE(selection.outdated().empty());
-}
-
-/// Collapses what the selection picks and the link condition allows.
-void collapse_picked(WorkingMesh& mesh, const RoundSelection& selection) {
-  EdgeNeighborhood around;
-  for (Edge edge : selection.edges()) {
-    around.gather(mesh.connectivity, edge);
-    if (satisfies_link_condition(mesh, around))
-      mesh.connectivity.count(mesh.connectivity.collapse(edge.a, edge.b));
-  }
-}
-
-TEST(RoundSelection, NeverPicksTheDead) {
-  WorkingMesh mesh = working_mesh(icosphere(3));
-  const int start = mesh.connectivity.vertex_count();
-  RoundSelection selection(mesh.connectivity);
-  for (int round = 0; round < 100; ++round) {
-    EdgeChoices choices = shortest_edges(mesh);
-    for (int v = 0; v < start; ++v)  // the dead keep a choice that looks good
-      if (mesh.connectivity.faces_of(v).size() == 0) choices.set(v, {{0.0, 0.0}, start - 1});
-    selection.pick(choices);
-    for (Edge edge : selection.edges())
-      ASSERT_TRUE(mesh.connectivity.has_edge(edge.a, edge.b)) << edge.a << '-' << edge.b;
-    for (int v : selection.outdated()) choices.remove(v);
-    selection.pick(choices);
-    ASSERT_FALSE(selection.edges().empty());
-    collapse_picked(mesh, selection);
-  }
-  EXPECT_LT(mesh.connectivity.vertex_count(), start / 4);
+  selection.pick();
+  EXPECT_TRUE(selection.edges().empty());
 }
 
 }  // namespace

@@ -83,6 +83,12 @@ class TriangleConnectivity {
     return face[0] == v || face[1] == v || face[2] == v;
   }
 
+  /// The corner of f that follows v.
+  int next_vertex(int f, int v) const {
+    const Face& face = faces_[f];
+    return face[0] == v ? face[1] : face[1] == v ? face[2] : face[0];
+  }
+
   /// The corner of f that is neither a nor b, two different corners of it.
   int third_vertex(int f, int a, int b) const {
     const Face& face = faces_[f];

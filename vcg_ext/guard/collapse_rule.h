@@ -23,16 +23,17 @@ class CollapseRule {
   CollapseRule(const WorkingMesh& mesh, const DecimationParams& params)
       : mesh_(mesh), topology_(params.preserve_topology), boundary_(params.preserve_boundary) {}
 
+  /// An edge between two such vertices may collapse to anywhere.
+  bool is_free(int v) const { return mesh_.kind[v] == VertexKind::Interior && !mesh_.locked[v]; }
+
   std::optional<Allowed> operator()(Edge edge) const {
     const VertexKind a = mesh_.kind[edge.a], b = mesh_.kind[edge.b];
-    if (a == VertexKind::Interior && b == VertexKind::Interior && !mesh_.locked[edge.a] &&
-        !mesh_.locked[edge.b])
-      return Allowed::Anywhere;  // nearly all
+    if (is_free(edge.a) && is_free(edge.b)) return Allowed::Anywhere;  // nearly all
     const bool a_stays = stays(edge.a), b_stays = stays(edge.b);
     if (a_stays && b_stays) return std::nullopt;
     if (a_stays) return may_go_onto(b, a) ? std::optional(Allowed::OntoA) : std::nullopt;
     if (b_stays) return may_go_onto(a, b) ? std::optional(Allowed::OntoB) : std::nullopt;
-    if (a == b || is_free(a, b)) return Allowed::Anywhere;
+    if (a == b || is_unheld(a, b)) return Allowed::Anywhere;
     if (!may_go_onto(a, b) && !may_go_onto(b, a)) return std::nullopt;
     return a > b ? Allowed::OntoA : Allowed::OntoB;
   }
@@ -47,7 +48,7 @@ class CollapseRule {
   }
 
   /// Where the user did not ask to keep it, the boundary is held by its quadrics alone.
-  bool is_free(VertexKind a, VertexKind b) const {
+  bool is_unheld(VertexKind a, VertexKind b) const {
     return !topology_ || (!boundary_ && a <= VertexKind::Boundary && b <= VertexKind::Boundary);
   }
 

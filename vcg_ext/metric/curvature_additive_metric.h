@@ -20,19 +20,28 @@ class CurvatureAdditiveMetric {
 
   std::optional<Candidate> evaluate(Edge edge, Allowed allowed, const Vector3& wings) const {
     std::optional<Candidate> candidate = quadric_.evaluate(edge, allowed, wings);
-    if (candidate) candidate->cost += params_.lambda * plane_unit(edge) * edge_curvature(edge);
+    if (candidate) candidate->cost += additive_term(edge);
     return candidate;
+  }
+
+  void estimate(int v, const std::vector<int>& others, std::vector<double>& costs) const {
+    quadric_.estimate(v, others, costs);
+    for (std::size_t i = 0; i < others.size(); ++i) costs[i] += additive_term({v, others[i]});
   }
 
   void release(const EdgeNeighborhood& around) { quadric_.release(around); }
 
-  void merge(const Collapse& collapse, const EdgeNeighborhood& around, const VertexRing& ring) {
+  void merge(const Collapse& collapse, const EdgeNeighborhood& around, VertexRing& ring) {
     quadric_.merge(collapse, around, ring);
   }
 
   void renumber(const Renumbering& numbers) { quadric_.renumber(numbers); }
 
  private:
+  double additive_term(Edge edge) const {
+    return params_.lambda * plane_unit(edge) * edge_curvature(edge);
+  }
+
   /// What one plane weighs around the edge, so that lambda means the same with area weights.
   double plane_unit(Edge edge) const {
     if (params_.plane_weight == PlaneWeight::Unit) return 1.0;

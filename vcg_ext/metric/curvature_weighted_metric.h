@@ -37,16 +37,23 @@ class CurvatureWeightedMetric {
     return candidate;
   }
 
+  void estimate(int v, const std::vector<int>& others, std::vector<double>& costs) const {
+    quadric_.estimate(v, others, costs);
+    for (std::size_t i = 0; i < others.size(); ++i)
+      costs[i] *= weight_.of_edge(saturation_[v], saturation_[others[i]]);
+  }
+
   void release(const EdgeNeighborhood& around) {
     quadric_.release(around);
     if (follows_current()) current_.release(around);
   }
 
-  void merge(const Collapse& collapse, const EdgeNeighborhood& around, const VertexRing& ring) {
+  void merge(const Collapse& collapse, const EdgeNeighborhood& around, VertexRing& ring) {
     quadric_.merge(collapse, around, ring);
     if (!follows_current()) return average(collapse.keep, collapse.gone);
     current_.merge(collapse.keep, around);
     update(collapse.keep);
+    gather_ring(mesh_, collapse.keep, ring);
     for (const RingVertex& u : ring) update(u.vertex);
   }
 

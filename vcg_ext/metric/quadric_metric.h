@@ -7,6 +7,7 @@
 #include "vcg_ext/mesh/vertex_ring.h"
 #include "vcg_ext/metric/candidate.h"
 #include "vcg_ext/metric/constraint_quadrics.h"
+#include "vcg_ext/metric/least_cost.h"
 #include "vcg_ext/metric/plane_quadrics.h"
 #include "vcg_ext/parallel.h"
 #include "vcg_ext/placement/place.h"
@@ -50,6 +51,23 @@ class QuadricMetric {
     return Candidate{cost, a + (half + placed.offset), placed.t};
   }
 
+  /// Costs of the edges from v to the others, each of which may collapse to anywhere; without the
+  /// volume, which moves a vertex along more than it lifts it.
+  void estimate(int v, const std::vector<int>& others, std::vector<double>& costs) const {
+    costs.resize(others.size());
+    if (params_.placement != Placement::Optimal) return estimate_one_by_one(v, others, costs);
+    const Vector3& at = mesh_.position[v];
+    const Quadric& quadric = sum_[v].quadric;
+    const VertexPair both(at, quadric, at, quadric);
+    for (std::size_t i = 0; i < others.size(); i += 2) {
+      const int p = others[i], q = others[std::min(i + 1, others.size() - 1)];
+      const VertexPair pair(mesh_.position[p], sum_[p].quadric, mesh_.position[q], sum_[q].quadric);
+      const Pair cost = least_costs(both, pair, {relative_pull, rounding * rounding});
+      costs[i] = cost[0];
+      if (i + 1 < costs.size()) costs[i + 1] = cost[1];
+    }
+  }
+
   /// Before a collapse: the faces around the edge leave the vertices that will remain.
   void release(const EdgeNeighborhood& around) {
     if (!memoryless_) return;
@@ -57,8 +75,8 @@ class QuadricMetric {
       for (int f : *faces) add_face(f, -1.0, around.edge());
   }
 
-  /// After it: the faces that remain are back in their new shape. ring: around collapse.keep.
-  void merge(const Collapse& collapse, const EdgeNeighborhood& around, const VertexRing& ring) {
+  /// After it: the faces that remain are back in their new shape. ring: scratch.
+  void merge(const Collapse& collapse, const EdgeNeighborhood& around, VertexRing& ring) {
     const auto [keep, gone, keep_was, gone_was, now, t] = collapse;
     if (!memoryless_) {
       sum_[keep].quadric = sum_[keep].quadric.with_origin_moved(now - keep_was) +
@@ -72,6 +90,7 @@ class QuadricMetric {
       if (mesh_.connectivity.alive(f)) add_face(f, 1.0, no_edge);
     if (mesh_.kind[keep] == VertexKind::Interior) return;
     recompute(keep);
+    gather_ring(mesh_, keep, ring);
     for (const RingVertex& u : ring)
       if (mesh_.kind[u.vertex] == VertexKind::Boundary) recompute(u.vertex);
   }
@@ -79,6 +98,12 @@ class QuadricMetric {
   void renumber(const Renumbering& numbers) { numbers.vertices(sum_), numbers.vertices(memory_); }
 
  private:
+  void estimate_one_by_one(int v, const std::vector<int>& others,
+                           std::vector<double>& costs) const {
+    for (std::size_t i = 0; i < others.size(); ++i)
+      costs[i] = evaluate({v, others[i]}, Allowed::Anywhere, Vector3::Zero())->cost;
+  }
+
   /// Distances below this part of the edge are rounding (of float coordinates; the sums are
   /// better): all edges in a plane cost exactly nothing.
   static constexpr double rounding = 1e-7;

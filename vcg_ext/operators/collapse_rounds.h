@@ -16,43 +16,44 @@ namespace curvdecim {
 
 /// Edge collapse in rounds, on all cores, with the same result on any number of them:
 ///
-///   every vertex chooses its cheapest edge                              (metric, placement)
 ///   while the target is not reached and the rounds are worth while:
-///     pick edges apart from each other among the cheapest               (queue)
-///     evaluate each again; dearer than the round's limit or refused?
-///       its vertex chooses again                                        (guard)
-///     more than the target needs? keep the cheapest
-///     collapse them, merge the metric, tell observers
-///     evaluate the new edges and offer them to their vertices
+///     every vertex chooses its cheapest edge                            (metric, placement)
+///     the cheapest of these are candidates                              (queue)
+///     while there are candidates that lie apart from each other:
+///       pick them, evaluate each again
+///       dearer than the round's limit, or refused? drop it              (guard)
+///       more than the target needs? keep the cheapest
+///       collapse them, merge the metric, tell observers
 template <class MetricType>
 class CollapseRounds {
  public:
+  /// largest_share: of the vertices' choices that may be candidates, 0..1. Fewer take more rounds
+  /// and follow the greedy order more closely.
   CollapseRounds(WorkingMesh& mesh, EdgeCollapser<MetricType>& collapser, const StopCriterion& stop,
-                 const Parallel& parallel)
+                 double largest_share, const Parallel& parallel)
       : mesh_(mesh),
         collapser_(collapser),
         stop_(stop),
         parallel_(parallel),
+        largest_share_(largest_share),
+        outdated_(mesh.connectivity.vertex_slots(), 1),
+        refused_(mesh.connectivity.vertex_slots(), 0),
         choices_(mesh.connectivity.vertex_slots()),
         selection_(mesh.connectivity),
         scratch_(parallel.threads()) {}
 
-  /// The number of collapses done. Ends at the target, or where too few edges are apart from each
-  /// other.
+  /// Collapses until the target is reached, or few candidates are left that lie apart. The number
+  /// of the next collapse.
   int run(ProgressMeter& progress, DecimationReport& report) {
-    int done = 0;
-    if (is_large()) choose_all();
-    while (is_large() && !stop_.reached(mesh_.connectivity) && pick()) {
+    bool worth_while = stop_.collapses_left(mesh_.connectivity) >= least_collapses;
+    while (worth_while && is_large() && !stop_.reached(mesh_.connectivity)) {
       progress.set(stop_.progress(mesh_.connectivity));
-      check_all();
-      const int ready = settle(report);
-      collapser_.make_room(done + ready);
-      collapse_all(ready, done);
-      for (int i = 0; i < ready; ++i) mesh_.connectivity.count(picks_[i].removed);
-      done += ready;
+      choose();
+      selection_.begin(choices_, share());
+      worth_while = collapse_candidates(report);
       if (is_sparse()) compact();
     }
-    return done;
+    return next_number_;
   }
 
  private:
@@ -61,35 +62,147 @@ class CollapseRounds {
   /// On a smaller mesh single collapses show in the result, and a round is too little work for all
   /// cores: there, and at a large mesh's end, the strict order takes over.
   static constexpr int least_vertices = 512;
+  static constexpr int least_collapses = 64;  // fewer are better chosen one by one
   /// One pick in so many candidates: fewer are apart from each other around a hub.
   static constexpr int least_share = 64;
 
   struct Pick {
-    Edge edge;
-    bool ready;
+    Edge edge{};
+    bool ready = false;
     GuardAnswer answer;
-    Candidate candidate;
+    Candidate candidate{};
     Removed removed;  // expected, then true
   };
 
   bool is_large() const { return mesh_.connectivity.vertex_count() >= least_vertices; }
 
-  void choose_all() {
-    choose(mesh_.connectivity.vertex_slots(), [](int i) { return i; });
-  }
-
-  /// For the vertices vertex(i), i below count.
-  template <class Vertex>
-  void choose(int count, Vertex vertex) {
+  /// For the vertices with a new edge or neighbour, and those whose choice was not good. A vertex
+  /// whose choice was refused asks the guards itself.
+  void choose() {
     const auto choose_range = [&](int begin, int end, int worker) {
-      for (int i = begin; i < end; ++i)
-        choices_.set(vertex(i), collapser_.cheapest(vertex(i), scratch_[worker]));
+      for (int v = begin; v < end; ++v) {
+        if (!outdated_[v]) continue;
+        outdated_[v] = 0;
+        choices_.set(v, refused_[v] ? collapser_.cheapest_possible(v, scratch_[worker])
+                                    : collapser_.about_cheapest(v, scratch_[worker]));
+      }
     };
-    parallel_.for_ranges(count, choose_range, Parallel::heavy);
+    parallel_.for_ranges(mesh_.connectivity.vertex_slots(), choose_range, Parallel::heavy);
   }
 
-  void choose(const std::vector<int>& vertices) {
-    choose(static_cast<int>(vertices.size()), [&](int i) { return vertices[i]; });
+  /// Of the choices that are candidates: no more than the target may need.
+  double share() const {
+    constexpr double ample = 1.5;  // some are refused or lie too near
+    const double needed = stop_.collapses_left(mesh_.connectivity);
+    return std::min(largest_share_, ample * needed / mesh_.connectivity.vertex_count());
+  }
+
+  /// False if too few of them could be collapsed.
+  bool collapse_candidates(DecimationReport& report) {
+    const int few = selection_.candidates() / least_share;
+    const int before = mesh_.connectivity.vertex_count();
+    while (!stop_.reached(mesh_.connectivity) && pick() > few) collapse_picks(report);
+    return before - mesh_.connectivity.vertex_count() > few;
+  }
+
+  /// Their number.
+  int pick() {
+    selection_.pick();
+    picks_.clear();
+    for (Edge edge : selection_.edges()) {
+      mesh_.connectivity.make_room(edge.a, edge.b);
+      picks_.emplace_back().edge = edge;
+    }
+    const auto by_owner = [](const Pick& a, const Pick& b) { return a.edge.a < b.edge.a; };
+    std::sort(picks_.begin(), picks_.end(), by_owner);  // near in memory, near in time
+    return static_cast<int>(picks_.size());
+  }
+
+  void collapse_picks(DecimationReport& report) {
+    collapser_.make_room(next_number_ + static_cast<int>(picks_.size()));
+    if (may_reach_target()) {
+      for_picks([&](int i, Scratch& scratch) { check(picks_[i], scratch); });
+      drop_needless();
+      for_picks([&](int i, Scratch& scratch) {
+        scratch.around.gather(mesh_.connectivity, picks_[i].edge);
+        collapse(i, scratch);
+      });
+    } else {
+      for_picks([&](int i, Scratch& scratch) {
+        check(picks_[i], scratch);
+        collapse(i, scratch);
+      });
+    }
+    count_picks(report);
+  }
+
+  template <class Work>
+  void for_picks(Work work) {
+    const auto do_range = [&](int begin, int end, int worker) {
+      for (int i = begin; i < end; ++i) work(i, scratch_[worker]);
+    };
+    parallel_.for_ranges(static_cast<int>(picks_.size()), do_range, Parallel::heavy);
+  }
+
+  bool may_reach_target() const {
+    Removed all;
+    for (const Pick& pick : picks_)
+      all += {mesh_.connectivity.edge_valence(pick.edge.a, pick.edge.b), 1};
+    return stop_.reached(mesh_.connectivity, all);
+  }
+
+  void check(Pick& pick, Scratch& scratch) {
+    outdated_[pick.edge.a] = 1;
+    const std::optional<Candidate> candidate = collapser_.evaluate(pick.edge);
+    pick.ready =
+        candidate && !(selection_.limit() < collapser_.priority(pick.edge, candidate->cost));
+    if (!pick.ready) return;
+    pick.candidate = *candidate;
+    pick.answer = collapser_.ask(pick.edge, candidate->position, scratch);
+    pick.ready = !pick.answer.refusal;
+    refused_[pick.edge.a] = !pick.ready;
+    pick.removed = {static_cast<int>(scratch.around.wings().size()), 1};
+  }
+
+  /// Those that are ready and that the target does not need, the dearest first.
+  void drop_needless() {
+    std::vector<Pick*> ready;
+    for (Pick& pick : picks_)
+      if (pick.ready) ready.push_back(&pick);
+    std::stable_sort(ready.begin(), ready.end(), [](const Pick* a, const Pick* b) {
+      return a->candidate.cost < b->candidate.cost;
+    });
+    Removed removed;
+    for (Pick* pick : ready) {
+      pick->ready = !stop_.reached(mesh_.connectivity, removed);
+      if (pick->ready) removed += pick->removed;
+    }
+  }
+
+  /// If it is ready. Its neighbourhood is in the scratch.
+  void collapse(int i, Scratch& scratch) {
+    Pick& pick = picks_[i];
+    if (!pick.ready) return;
+    pick.removed =
+        collapser_.collapse(pick.candidate, pick.answer.error_bound, next_number_ + i, scratch)
+            .removed;
+    outdated_[pick.edge.b] = 1;
+    for (int f : scratch.around.star())
+      if (mesh_.connectivity.alive(f))
+        for (int u : mesh_.connectivity.face(f)) outdated_[u] = 1;
+  }
+
+  void count_picks(DecimationReport& report) {
+    report.cost_last = 0.0;
+    for (const Pick& pick : picks_) {
+      if (pick.answer.refusal) ++report.rejected_by(*pick.answer.refusal);
+      if (!pick.ready) continue;
+      mesh_.connectivity.count(pick.removed);
+      selection_.set_merged(pick.edge);
+      report.max_error = std::max(report.max_error, pick.answer.error_bound);
+      report.cost_last = std::max(report.cost_last, pick.candidate.cost);
+    }
+    next_number_ += static_cast<int>(picks_.size());
   }
 
   /// A third of the vertices is gone since the last time, and the rest is more than a cache holds.
@@ -102,101 +215,21 @@ class CollapseRounds {
   void compact() {
     const Renumbering numbers(mesh_.connectivity);
     collapser_.renumber(numbers), choices_.renumber(numbers), selection_.renumber(numbers);
-    std::vector<int> undecided;
-    for (int v = 0; v < mesh_.connectivity.vertex_slots(); ++v)
-      if (!choices_.exists(v)) undecided.push_back(v);
-    choose(undecided);
-  }
-
-  bool pick() {
-    selection_.pick(choices_);
-    const int count = static_cast<int>(selection_.edges().size());
-    if (count <= selection_.candidates() / least_share) return false;
-    picks_.resize(count);
-    for (int i = 0; i < count; ++i) {
-      picks_[i].edge = selection_.edges()[i];
-      mesh_.connectivity.make_room(picks_[i].edge.a, picks_[i].edge.b);
-    }
-    const auto by_owner = [](const Pick& a, const Pick& b) { return a.edge.a < b.edge.a; };
-    std::sort(picks_.begin(), picks_.end(), by_owner);  // near in memory, near in time
-    return true;
-  }
-
-  void check_all() {
-    const auto check_pick = [&](int begin, int end, int worker) {
-      for (int i = begin; i < end; ++i) check(picks_[i], scratch_[worker]);
-    };
-    parallel_.for_ranges(static_cast<int>(picks_.size()), check_pick, Parallel::heavy);
-    choose(selection_.outdated());
-  }
-
-  void check(Pick& pick, Scratch& scratch) {
-    const int owner = pick.edge.a;
-    const std::optional<Candidate> candidate = collapser_.evaluate(pick.edge);
-    pick.ready =
-        candidate && !(selection_.limit() < collapser_.priority(pick.edge, candidate->cost));
-    pick.answer = {};
-    if (!pick.ready) return choices_.set(owner, collapser_.cheapest(owner, scratch));
-    pick.candidate = *candidate;
-    pick.answer = collapser_.ask(pick.edge, candidate->position, scratch);
-    pick.ready = !pick.answer.refusal;
-    pick.removed = {static_cast<int>(scratch.around.wings().size()), 1};
-    if (!pick.ready) choices_.set(owner, collapser_.cheapest_possible(owner, scratch));
-  }
-
-  /// Puts those to be done in front; their number.
-  int settle(DecimationReport& report) {
-    for (const Pick& pick : picks_)
-      if (pick.answer.refusal) ++report.rejected_by(*pick.answer.refusal);
-    const auto end = std::stable_partition(picks_.begin(), picks_.end(),
-                                           [](const Pick& pick) { return pick.ready; });
-    const int ready = needed(static_cast<int>(end - picks_.begin()));
-    for (int i = 0; i < ready; ++i) {
-      report.max_error = std::max(report.max_error, picks_[i].answer.error_bound);
-      report.cost_last =
-          i == 0 ? picks_[i].candidate.cost : std::max(report.cost_last, picks_[i].candidate.cost);
-    }
-    return ready;
-  }
-
-  /// Of the first `ready` picks those that the target needs, the cheapest in front.
-  int needed(int ready) {
-    Removed all;
-    for (int i = 0; i < ready; ++i) all += picks_[i].removed;
-    if (!stop_.reached(mesh_.connectivity, all)) return ready;
-    std::stable_sort(picks_.begin(), picks_.begin() + ready, [](const Pick& a, const Pick& b) {
-      return a.candidate.cost < b.candidate.cost;
-    });
-    Removed removed;
-    int count = 0;
-    while (!stop_.reached(mesh_.connectivity, removed)) removed += picks_[count++].removed;
-    return count;
-  }
-
-  void collapse_all(int ready, int first_number) {
-    const auto collapse_pick = [&](int begin, int end, int worker) {
-      for (int i = begin; i < end; ++i) collapse(picks_[i], first_number + i, scratch_[worker]);
-    };
-    parallel_.for_ranges(ready, collapse_pick, Parallel::heavy);
-  }
-
-  void collapse(Pick& pick, int number, Scratch& scratch) {
-    scratch.around.gather(mesh_.connectivity, pick.edge);
-    const auto done = collapser_.collapse(pick.candidate, pick.answer.error_bound, number, scratch);
-    pick.removed = done.removed;
-    choices_.remove(done.keep), choices_.remove(done.gone);
-    for (const RingVertex& u : scratch.ring)
-      choices_.offer(std::min(u.vertex, done.keep), collapser_.choice(done.keep, u));
+    numbers.vertices(outdated_), numbers.vertices(refused_);
   }
 
   WorkingMesh& mesh_;
   EdgeCollapser<MetricType>& collapser_;
   const StopCriterion& stop_;
   const Parallel& parallel_;
+  const double largest_share_;
+  std::vector<std::uint8_t> outdated_;  // by vertex: 1 if it has to choose again
+  std::vector<std::uint8_t> refused_;   // by vertex: 1 if its last pick was refused
   EdgeChoices choices_;
   RoundSelection selection_;
   std::vector<Scratch> scratch_;  // by worker
   std::vector<Pick> picks_;
+  int next_number_ = 0;  // of the next collapse; numbers of picks that were dropped stay unused
 };
 
 }  // namespace curvdecim

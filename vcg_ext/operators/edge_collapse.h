@@ -51,8 +51,8 @@ class EdgeCollapse {
     report_ = &report;
     metric_.initialize(parallel);
     progress.begin("Collapsing edges");
-    if (scheduler_ == Scheduler::Rounds)
-      collapses_ = CollapseRounds(mesh_, collapser_, stop_, parallel).run(progress, report);
+    if (const double share = share_of_round(); share > 0.0)
+      collapses_ = CollapseRounds(mesh_, collapser_, stop_, share, parallel).run(progress, report);
     queue_ = EdgeQueue(mesh_.connectivity.vertex_slots());
     int before;
     do {  // a refused edge may have become possible since: ask all once more before giving up
@@ -70,7 +70,14 @@ class EdgeCollapse {
  private:
   /// Without the link condition a collapse may remove more faces than a round counts on.
   static Scheduler one_by_one(Scheduler scheduler) {
-    return scheduler == Scheduler::Rounds ? Scheduler::Lazy : scheduler;
+    return scheduler == Scheduler::Rounds || scheduler == Scheduler::FewRounds ? Scheduler::Lazy
+                                                                               : scheduler;
+  }
+
+  /// Of the choices, for CollapseRounds; 0: no rounds (docs/decisions/rounds.md).
+  double share_of_round() const {
+    if (scheduler_ == Scheduler::Rounds) return 0.3;
+    return scheduler_ == Scheduler::FewRounds ? 0.8 : 0.0;
   }
 
   StopReason empty_queue(ProgressMeter& progress) {
@@ -118,6 +125,7 @@ class EdgeCollapse {
     collapser_.make_room(++collapses_);
     const auto done = collapser_.collapse(candidate, error_bound, collapses_ - 1, scratch_);
     mesh_.connectivity.count(done.removed);
+    gather_ring(mesh_, done.keep, scratch_.ring);
     report_->cost_last = candidate.cost;
     report_->max_error = std::max(report_->max_error, error_bound);
     queue_.remove(done.gone);

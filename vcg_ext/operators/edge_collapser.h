@@ -18,15 +18,17 @@ namespace curvdecim {
 /// look may run at the same time, and so may collapses whose neighbourhoods share no vertex.
 ///
 /// `Metric` has initialize(parallel), evaluate(edge, allowed, wings) -> optional<Candidate>,
-/// release(around) before a collapse, merge(collapse, around, ring) after it, and
-/// renumber(numbers).
+/// estimate(v, others, costs), release(around) before a collapse, merge(collapse, around, scratch)
+/// after it, and renumber(numbers).
 template <class MetricType>
 class EdgeCollapser {
  public:
   /// Reused from edge to edge; every thread has its own, on cache lines of its own.
   struct alignas(128) Scratch {
-    EdgeNeighborhood around;  // of the edge asked about or collapsed last
-    VertexRing ring;          // of the vertex last chosen for, or merged
+    std::vector<int> neighbors;  // of the vertex last estimated for, that may collapse with it
+    std::vector<double> costs;   // of the edges to them
+    EdgeNeighborhood around;     // of the edge asked about or collapsed last
+    VertexRing ring;             // of the vertex last chosen for, or merged
     std::vector<EdgeChoice> options;
   };
 
@@ -65,6 +67,19 @@ class EdgeCollapser {
     gather_options(v, scratch);
     if (scratch.options.empty()) return {};
     return *std::min_element(scratch.options.begin(), scratch.options.end());
+  }
+
+  /// The same by estimates, where the vertices' kinds leave the metric free.
+  EdgeChoice about_cheapest(int v, Scratch& scratch) const {
+    if (valence(v) > hub || !rule_.is_free(v) || !gather_free_neighbors(v, scratch.neighbors))
+      return cheapest(v, scratch);
+    metric_.estimate(v, scratch.neighbors, scratch.costs);
+    EdgeChoice best;
+    for (std::size_t i = 0; i < scratch.neighbors.size(); ++i) {
+      const Edge edge{v, scratch.neighbors[i]};
+      best = std::min(best, {priority(edge, scratch.costs[i] * importance(edge)), edge.b});
+    }
+    return best;
   }
 
   /// The cheapest edge of v that no guard refuses. Of a hub some are asked only.
@@ -112,8 +127,7 @@ class EdgeCollapser {
     Removed removed;  // still to be counted
   };
 
-  /// Of the edge whose neighbourhood is in the scratch, as the guards allowed it. Leaves the
-  /// ring of the merged vertex in the scratch.
+  /// Of the edge whose neighbourhood is in the scratch, as the guards allowed it.
   Done collapse(const Candidate& candidate, double error_bound, int number, Scratch& scratch) {
     const EdgeNeighborhood& around = scratch.around;
     const Collapse done = collapse_of(around.edge(), candidate);
@@ -129,7 +143,6 @@ class EdgeCollapser {
           done.t * (mesh_.importance[done.gone] - mesh_.importance[done.keep]);
     for (int f : around.star())
       if (mesh_.connectivity.alive(f)) mesh_.update_plane(f);
-    gather_ring(mesh_, done.keep, scratch.ring);
     metric_.merge(done, around, scratch.ring);
     return {done.keep, done.gone, removed};
   }
@@ -150,9 +163,25 @@ class EdgeCollapser {
     const std::optional<Allowed> allowed = rule_(edge);
     if (!allowed) return std::nullopt;
     std::optional<Candidate> candidate = metric_.evaluate(edge, *allowed, wings);
-    if (candidate && !mesh_.importance.empty())
-      candidate->cost *= mesh_.importance[edge.a] + mesh_.importance[edge.b];
+    if (candidate) candidate->cost *= importance(edge);
     return candidate;
+  }
+
+  double importance(Edge edge) const {
+    return mesh_.importance.empty() ? 1.0 : mesh_.importance[edge.a] + mesh_.importance[edge.b];
+  }
+
+  /// Those with a higher index, each from the face that it follows v in: where faces are not
+  /// oriented alike some are missed, others come twice. False if one of them is not free.
+  bool gather_free_neighbors(int v, std::vector<int>& neighbors) const {
+    neighbors.clear();
+    for (int f : mesh_.connectivity.faces_of(v)) {
+      const int u = mesh_.connectivity.next_vertex(f, v);
+      if (u < v) continue;
+      if (!rule_.is_free(u)) return false;
+      neighbors.push_back(u);
+    }
+    return true;
   }
 
   void gather_options(int v, Scratch& scratch) const {

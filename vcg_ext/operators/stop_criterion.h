@@ -19,6 +19,12 @@ struct StopCriterion {
            connectivity.vertex_count() - once_removed.vertices <= vertices;
   }
 
+  /// Collapses until the target, if each removes two faces and a vertex.
+  double collapses_left(const TriangleConnectivity& connectivity) const {
+    return std::min(0.5 * (connectivity.face_count() - faces),
+                    1.0 * (connectivity.vertex_count() - vertices));
+  }
+
   /// The part of the faces to go that is gone, 0..1.
   double progress(const TriangleConnectivity& connectivity) const {
     const double all = std::max(1, start - faces);

@@ -20,6 +20,10 @@ struct Minimum {
   double value;
 };
 
+/// How strongly a minimum is drawn to the midpoint: to the trace, that is to the strongest
+/// direction.
+inline constexpr double relative_pull = 1e-4;
+
 /// Minimum of the quadric, drawn towards the origin (the edge's midpoint) just strongly enough that
 /// directions in which it is flat do not throw the vertex far away; then moved, where that takes no
 /// more than the edge's length, to the minimum among the points that keep the volume. The edge goes
@@ -27,7 +31,6 @@ struct Minimum {
 /// c + b.x - p x.x, and so do the steps from there.
 inline Minimum optimal_minimum(const QuadricOfEdge& quadric,
                                const std::optional<VolumePlane>& volume, const Vector3& half) {
-  constexpr double relative_pull = 1e-4;  // to the trace, that is to the strongest direction
   const Quadric& q = quadric.sum;
   const double trace = q.a.trace(), pull = relative_pull * trace;
   if (!(trace > 0.0)) return {Vector3::Zero(), q.c};
