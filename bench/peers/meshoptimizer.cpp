@@ -36,10 +36,10 @@ void simplify(Buffers& mesh, const Request& request) {
 }
 
 void update(Buffers& mesh, const Request& request) {
-  mesh.indices.resize(meshopt_simplifyWithUpdate(
-      mesh.indices.data(), mesh.indices.size(), mesh.positions.data(), mesh.vertices(), stride,
-      nullptr, 0, nullptr, 0, nullptr, request.target_indices, any_error, request.options,
-      nullptr));
+  mesh.indices.resize(
+      meshopt_simplifyWithUpdate(mesh.indices.data(), mesh.indices.size(), mesh.positions.data(),
+                                 mesh.vertices(), stride, nullptr, 0, nullptr, 0, nullptr,
+                                 request.target_indices, any_error, request.options, nullptr));
 }
 
 void sloppy(Buffers& mesh, const Request& request) {

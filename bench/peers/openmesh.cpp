@@ -2,8 +2,8 @@
 // OpenMesh's Decimater with quadrics that may not flip a normal, in double. The clock covers
 // initialize, decimate_to_faces and garbage_collection; the mesh and its face normals, which
 // ModNormalFlipping wants to be there, are made before.
-#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <OpenMesh/Core/System/config.h>
+#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <OpenMesh/Tools/Decimater/DecimaterT.hh>
 #include <OpenMesh/Tools/Decimater/ModNormalFlippingT.hh>
 #include <OpenMesh/Tools/Decimater/ModQuadricT.hh>
@@ -72,9 +72,7 @@ peer::Cost decimate(const std::string& policy, std::size_t target, peer::Mesh& m
   return cost;
 }
 
-std::string version() {
-  return std::to_string(OM_GET_VER) + "." + std::to_string(OM_GET_MAJ);
-}
+std::string version() { return std::to_string(OM_GET_VER) + "." + std::to_string(OM_GET_MAJ); }
 
 }  // namespace
 
