@@ -10,8 +10,8 @@ from dataclasses import dataclass
 Pixel = tuple[float, float]
 
 _DIRECTIONS = 16  # in which a label may lie from its point
-_FIRST_GAP, _GAP_STEP, _GAPS = 9.0, 9.0, 40  # pixels from the point to the label
-_POINT_RADIUS = 9.0  # pixels that a label keeps away from every other point
+_FIRST_GAP, _GAP_STEP, _GAPS = 13.0, 9.0, 40  # pixels from the point to the label
+_POINT_RADIUS = 12.0  # pixels that a label keeps away from every other point
 
 
 @dataclass(frozen=True)

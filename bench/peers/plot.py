@@ -9,7 +9,10 @@ from pathlib import Path
 
 import matplotlib
 from matplotlib.axes import Axes
+from matplotlib.backend_bases import RendererBase
+from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
+from matplotlib.patheffects import withStroke
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
 from peers.labels import Box, place
@@ -34,6 +37,7 @@ _LABEL_POINTS, _OURS_POINTS = 7.5, 9.0
 _MARKER, _OUR_MARKER = 34.0, 95.0  # points squared
 _ROOM = 1.35  # times the data's range that the axes show beyond it, for the labels
 _CLEARANCE = 2.0  # pixels around a label
+_HALO = 2.5  # points of background around the letters, where a line runs below
 
 
 @dataclass(frozen=True)
@@ -65,12 +69,13 @@ def draw_summary(records: Sequence[Record], path: Path) -> None:
     path.parent.mkdir(parents=True, exist_ok=True)
     with matplotlib.rc_context({"font.family": "DejaVu Sans", "text.color": _INK}):
         figure = Figure(figsize=_INCHES, dpi=_DPI, facecolor=_BACKGROUND, layout="constrained")
+        canvas = FigureCanvasAgg(figure)
         axes = figure.add_subplot(facecolor=_BACKGROUND)
         _set_axes(axes, shown)
         for point in shown:
             _draw_point(axes, point)
-        figure.draw_without_rendering()  # the labels need the axes' final place
-        _draw_labels(axes, shown)
+        canvas.draw()  # the labels need the axes' final place
+        _draw_labels(axes, shown, canvas.get_renderer())
         figure.savefig(path)
 
 
@@ -115,17 +120,18 @@ def _color(point: Point) -> str:
     return _OURS_COLOR if point.peer == OURS else _COLORS.get(point.peer, _INK)
 
 
-def _draw_labels(axes: Axes, shown: Sequence[Point]) -> None:
+def _draw_labels(axes: Axes, shown: Sequence[Point], renderer: RendererBase) -> None:
     """Ours first: they get the best places."""
     order = sorted(shown, key=lambda point: point.peer != OURS)
     anchors = [tuple(axes.transData.transform((point.time, point.rms))) for point in order]
-    sizes = [_size(axes, point) for point in order]
+    sizes = [_size(axes, point, renderer) for point in order]
     bounds = axes.bbox
     frame = Box(bounds.x0, bounds.y0, bounds.x1, bounds.y1)
     to_data = axes.transData.inverted()
     for point, anchor, box in zip(order, anchors, place(anchors, sizes, frame), strict=True):
         x, y = to_data.transform(box.centre)
         label = axes.text(x, y, point.policy, ha="center", va="center", zorder=5, **_font(point))
+        label.set_path_effects([withStroke(linewidth=_HALO, foreground=_BACKGROUND)])
         label.set_in_layout(False)
         start = to_data.transform(box.nearest(anchor))
         axes.plot(
@@ -144,9 +150,9 @@ def _font(point: Point) -> dict[str, object]:
     return {"fontsize": _LABEL_POINTS, "color": _color(point)}
 
 
-def _size(axes: Axes, point: Point) -> tuple[float, float]:
+def _size(axes: Axes, point: Point, renderer: RendererBase) -> tuple[float, float]:
     """Width and height of the label in pixels."""
     probe = axes.text(0.5, 0.5, point.policy, transform=axes.transAxes, **_font(point))
-    extent = probe.get_window_extent(axes.figure.canvas.get_renderer())
+    extent = probe.get_window_extent(renderer)
     probe.remove()
     return extent.width + 2 * _CLEARANCE, extent.height + 2 * _CLEARANCE
