@@ -343,7 +343,8 @@ def test_results_come_back_from_their_file(tmp_path: Path) -> None:
 
 def test_labels_cover_neither_each_other_nor_a_point() -> None:
     frame = Box(0, 0, 800, 600)
-    anchors = [(400.0 + 3 * i, 300.0 + 2 * i) for i in range(12)]
+    middle = [(400.0 + 3 * i, 300.0 + 2 * i) for i in range(12)]
+    anchors = [*middle, (790.0, 590.0), (10.0, 10.0)]  # and two corners
     boxes = place(anchors, [(120.0, 14.0)] * len(anchors), frame)
     for i, box in enumerate(boxes):
         assert frame.contains(box)
