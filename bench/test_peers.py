@@ -281,6 +281,7 @@ def test_nothing_is_said_about_what_was_not_measured() -> None:
     assert standing.best == pytest.approx(0.8)
     assert (standing.balanced, standing.fast_time, standing.fast_rms) == (None, None, None)
     assert standings(CASE[:3]) == []
+    assert standings(CASE[3:]) == []
 
 
 def test_errors_are_no_ratio_where_the_baseline_fails() -> None:
@@ -333,6 +334,7 @@ def test_a_face_count_above_the_target_has_a_star(tmp_path: Path) -> None:
 def test_large_meshes_have_time_and_memory_only(tmp_path: Path) -> None:
     text = markdown(tmp_path, every_table(results([replace(CASE[3], figures={})])))
     assert "|policy|faces|ms|time|MB|B/face|\n" in text
+    assert "|policy|cases|time|memory|\n" in text
     assert "flip" not in text
 
 

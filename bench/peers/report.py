@@ -12,10 +12,9 @@ from tables import table
 from peers.policies import BASELINE, MESHOPTIMIZER_UPDATE
 from peers.records import Record, Results, by_case
 from peers.summary import (
-    BALANCED_SHARE,
-    BEST_MEAN_SHARE,
-    BEST_SHARE,
-    FAST_SHARE,
+    BARS,
+    BEST_MEAN_BAR,
+    RATIOS,
     Means,
     Standing,
     failed_baselines,
@@ -46,6 +45,13 @@ _HEADINGS = (
     *("nm", "flip", "zero/dup", "self", "bnd", "comp"),
 )
 _DISTANCES = ("rms", "mean", "max", "rms_salient")
+_MEANS_HEADINGS = {
+    "peak": "memory",
+    "rms": "RMS",
+    "rms_salient": "salient",
+    "angle_mean": "angle",
+    "angle_low": "5 %",
+}
 _NONE = "-"
 _MB = 1e6
 
@@ -120,12 +126,14 @@ def _means_table(records: Sequence[Record]) -> Table:
     failed = ", ".join(f"{mesh} to {fraction:.0%}" for mesh, fraction in failed_baselines(records))
     if failed:
         title += f"; errors without {failed}, where {BASELINE} fails"
-    headings = ("policy", "cases", "time", "memory", *("RMS", "mean", "max", "salient", "ndev"))
-    return table(title, (*headings, "angle", "5 %"), map(_means_cells, means(records)))
+    found = means(records)
+    taken = [name for name in RATIOS if any(each.means[name] is not None for each in found)]
+    headings = ("policy", "cases", *(_MEANS_HEADINGS.get(name, name) for name in taken))
+    return table(title, headings, (_means_cells(each, taken) for each in found))
 
 
-def _means_cells(each: Means) -> list[str]:
-    return [each.policy, f"{each.cases}", *(_ratio(value) for value in each.means.values())]
+def _means_cells(each: Means, taken: Sequence[str]) -> list[str]:
+    return [each.policy, f"{each.cases}", *(_ratio(each.means[name]) for name in taken)]
 
 
 def _standings_table(found: Sequence[Standing]) -> Table:
@@ -134,17 +142,13 @@ def _standings_table(found: Sequence[Standing]) -> Table:
         "to",
         "best peer",
         "its RMS",
-        f"Best (≤ {BEST_SHARE})",
-        f"Balanced (≤ {BALANCED_SHARE:g})",
-        f"Fast's time (≤ {FAST_SHARE:g})",
-        f"Fast's RMS (≤ {FAST_SHARE:g})",
+        *(f"{name} (≤ {bar:g})" for name, bar in BARS.items()),
         "missed",
     )
     rows = [_standing_cells(each) for each in found]
-    columns = zip(*((s.best, s.balanced, s.fast_time, s.fast_rms) for s in found), strict=True)
-    overall = [geometric_mean(column) for column in columns]
-    missed = "Best" if overall[0] is not None and overall[0] > BEST_MEAN_SHARE else ""
-    mean_name = f"geometric mean (Best ≤ {BEST_MEAN_SHARE})"
+    overall = [geometric_mean(column) for column in zip(*(s.ratios for s in found), strict=True)]
+    missed = "Best" if overall[0] is not None and overall[0] > BEST_MEAN_BAR else ""
+    mean_name = f"geometric mean (Best ≤ {BEST_MEAN_BAR})"
     rows.append([mean_name, "", "", "", *map(_ratio, overall), missed])
     title = (
         "Ours over the best peer by RMS of each case; Fast's time and RMS over those of "
@@ -154,13 +158,12 @@ def _standings_table(found: Sequence[Standing]) -> Table:
 
 
 def _standing_cells(each: Standing) -> list[str]:
-    ratios = (each.best, each.balanced, each.fast_time, each.fast_rms)
     return [
         each.mesh,
         f"{each.fraction:.0%}",
         each.best_peer.policy,
         f"{each.best_peer.figures['rms']:.4f}",
-        *map(_ratio, ratios),
+        *map(_ratio, each.ratios),
         ", ".join(each.missed),
     ]
 

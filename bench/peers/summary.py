@@ -13,13 +13,14 @@ from peers.policies import BALANCED, BASELINE, BEST, FAST, MESHOPTIMIZER_UPDATE,
 from peers.records import Record, by_case
 
 ERRORS = ("rms", "mean", "max", "rms_salient", "ndev")
-_RATIOS = ("time", "peak", *ERRORS, "angle_mean", "angle_low")
+RATIOS = ("time", "peak", *ERRORS, "angle_mean", "angle_low")
 _ABOVE_TARGET = 1.02  # of the target: above, fewer errors come from more faces
 _BASELINE_FAILED = 5.0  # times the best RMS: the baseline's errors are then no yardstick
 _NO_DISTANCE = 1e-9  # % of the diagonal: rounding
 
-BEST_SHARE, BEST_MEAN_SHARE, BALANCED_SHARE = 0.9, 0.8, 1.0  # of the best peer's RMS
-FAST_SHARE = 1.0  # of simplifyWithUpdate's time, and of its RMS
+# At most so much of the best peer's RMS; of simplifyWithUpdate's time and RMS for Fast.
+BARS = {"Best": 0.9, "Balanced": 1.0, "Fast's time": 1.0, "Fast's RMS": 1.0}
+BEST_MEAN_BAR = 0.8  # of Best in the geometric mean over all cases
 
 
 @dataclass(frozen=True)
@@ -47,15 +48,15 @@ class Standing:
     fast_rms: float | None  # the same
 
     @property
+    def ratios(self) -> tuple[float | None, float | None, float | None, float | None]:
+        """In the order of the bars."""
+        return self.best, self.balanced, self.fast_time, self.fast_rms
+
+    @property
     def missed(self) -> list[str]:
         """Which bars are not reached."""
-        bars = (
-            ("Best", self.best, BEST_SHARE),
-            ("Balanced", self.balanced, BALANCED_SHARE),
-            ("Fast's time", self.fast_time, FAST_SHARE),
-            ("Fast's RMS", self.fast_rms, FAST_SHARE),
-        )
-        return [name for name, value, bar in bars if value is not None and value > bar]
+        pairs = zip(BARS.items(), self.ratios, strict=True)
+        return [name for (name, bar), value in pairs if value is not None and value > bar]
 
 
 def geometric_mean(values: Iterable[float | None]) -> float | None:
@@ -100,12 +101,12 @@ def _means_of(
     cases: dict[tuple[str, float], dict[str, Record]],
     failed: Sequence[tuple[str, float]],
 ) -> Means:
-    ratios: dict[str, list[float | None]] = {name: [] for name in _RATIOS}
+    ratios: dict[str, list[float | None]] = {name: [] for name in RATIOS}
     for key, case in cases.items():
         mine, baseline = case.get(policy), case.get(BASELINE)
         if mine is None or baseline is None:
             continue
-        for name in _RATIOS:
+        for name in RATIOS:
             if name in ("time", "peak") or (key not in failed and is_on_target(mine)):
                 ratios[name].append(_ratio(mine, baseline, name))
     judged = sum(value is not None for value in ratios["rms"])
@@ -120,17 +121,17 @@ def standings(records: Iterable[Record]) -> list[Standing]:
         if best is None:
             continue
         update = case.get(MESHOPTIMIZER_UPDATE)
-        found.append(
-            Standing(
-                mesh,
-                fraction,
-                best,
-                best=_ratio(case.get(BEST), best, "rms"),
-                balanced=_ratio(case.get(BALANCED), best, "rms"),
-                fast_time=_ratio(case.get(FAST), update, "time"),
-                fast_rms=_ratio(case.get(FAST), update, "rms"),
-            )
+        standing = Standing(
+            mesh,
+            fraction,
+            best,
+            best=_ratio(case.get(BEST), best, "rms"),
+            balanced=_ratio(case.get(BALANCED), best, "rms"),
+            fast_time=_ratio(case.get(FAST), update, "time"),
+            fast_rms=_ratio(case.get(FAST), update, "rms"),
         )
+        if any(ratio is not None for ratio in standing.ratios):
+            found.append(standing)
     return found
 
 
