@@ -24,7 +24,17 @@ from peers.large import Large, make
 from peers.machine import look
 from peers.mesh_files import MeshFiles
 from peers.plot import draw_summary, points
-from peers.policies import BALANCED, BASELINE, BEST, FAST, MESHOPTIMIZER_UPDATE, OURS, matching
+from peers.policies import (
+    BALANCED,
+    BASELINE,
+    BEST,
+    CORE,
+    CORE_FAST,
+    FAST,
+    MESHOPTIMIZER_UPDATE,
+    OURS,
+    matching,
+)
 from peers.policies import every_policy as policies_of
 from peers.records import Record, Results, load
 from peers.report import every_table
@@ -163,14 +173,14 @@ def test_every_policy_has_a_name_of_its_own() -> None:
     assert len(set(names)) == len(names)
 
 
-@pytest.mark.parametrize("name", [FAST, BALANCED, BEST, BASELINE, MESHOPTIMIZER_UPDATE])
+@pytest.mark.parametrize("name", [FAST, CORE_FAST, BALANCED, BEST, BASELINE, MESHOPTIMIZER_UPDATE])
 def test_what_the_summary_speaks_of_is_in_the_table(name: str) -> None:
     assert name in {policy.name for policy in POLICIES}
 
 
 def test_every_peer_is_there_and_every_library_policy_is_known_to_the_worker() -> None:
     assert {policy.peer for policy in POLICIES} == {
-        *(OURS, "MeshLab", "CGAL", "OpenMesh", "meshoptimizer"),
+        *(OURS, CORE, "MeshLab", "CGAL", "OpenMesh", "meshoptimizer"),
         *("VTK", "libigl", "fast-simplification", "Open3D"),
     }
     used = {p.adapter.policy for p in POLICIES if isinstance(p.adapter, Library)}
@@ -246,7 +256,8 @@ def test_the_median_time_and_peak_of_a_record() -> None:
 def test_the_best_peer_is_not_ours_nor_above_the_target_nor_failed() -> None:
     above = record("VTK DecimatePro", 0.01, faces=3120)
     failed = record("OpenMesh quadric", 0.01, failure="refused")
-    best = best_peer([*CASE, above, failed])
+    core = record(CORE_FAST, 0.01, peer=CORE)
+    best = best_peer([*CASE, above, failed, core])
     assert best is not None
     assert best.policy == "CGAL Lindstrom-Turk"
     assert best_peer(CASE[:3]) is None
@@ -258,7 +269,14 @@ def test_standings_compare_with_the_best_peer_and_with_simplify_with_update() ->
     assert standing.balanced == pytest.approx(0.9)
     assert standing.fast_time == pytest.approx(0.5)
     assert standing.fast_rms == pytest.approx(0.10 / 0.21)
+    assert standing.core_time is None
     assert standing.missed == []
+
+
+def test_the_core_is_held_to_the_time_of_simplify_with_update() -> None:
+    (standing,) = standings([*CASE, record(CORE_FAST, 0.10, 1.1, peer=CORE)])
+    assert standing.core_time == pytest.approx(1.1)
+    assert standing.missed == ["its core's"]
 
 
 @pytest.mark.parametrize(
@@ -317,7 +335,7 @@ def test_the_tables_have_every_policy_the_reasons_and_the_bars(tmp_path: Path) -
     assert f"|{BASELINE}|1160|8000|1.000|0.058|10|0.2000|".replace(" ", "") in text
     assert "|OpenMeshquadric|cow.obj|20%|nomanifold|" in text
     assert "|VTK|nowheel|" in text
-    assert "|cow.obj|20%|CGALLindstrom-Turk|0.1000|0.800|0.900|0.500|0.476||" in text
+    assert "|cow.obj|20%|CGALLindstrom-Turk|0.1000|0.800|0.900|0.500|-|0.476||" in text
 
 
 def test_without_a_baseline_there_are_no_ratios(tmp_path: Path) -> None:
@@ -355,7 +373,8 @@ def test_labels_cover_neither_each_other_nor_a_point() -> None:
 
 
 def test_the_picture_has_a_point_for_each_policy_with_an_error(tmp_path: Path) -> None:
-    assert {point.policy for point in points(CASE)} == {record.policy for record in CASE}
+    core = record(CORE_FAST, 0.10, peer=CORE)
+    assert {point.policy for point in points([*CASE, core])} == {each.policy for each in CASE}
     draw_summary(CASE, tmp_path / "peers.png")
     assert np.ptp(imread(tmp_path / "peers.png")) > 0.5
     draw_summary([CASE[4]], tmp_path / "none.png")

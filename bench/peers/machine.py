@@ -16,9 +16,14 @@ from meshes import REPOSITORY
 from workers import FilterError, ask
 
 from peers.adapters import BUILD, LIBRARY_PYTHON, LIBRARY_WORKER, PROGRAMS
-from peers.policies import OURS
+from peers.policies import CORE, OURS
 
-_PROGRAM_OF = {"CGAL": "cgal", "OpenMesh": "openmesh", "meshoptimizer": "meshoptimizer"}
+_PROGRAM_OF = {
+    "CGAL": "cgal",
+    "OpenMesh": "openmesh",
+    "meshoptimizer": "meshoptimizer",
+    CORE: "curvdecim",
+}
 _LIBRARIES = ("VTK", "libigl", "fast-simplification", "Open3D")
 _SETUP_HINT = "not set up; scripts/bench sets it up"
 
@@ -45,6 +50,8 @@ def look(plugin: Path = DEFAULT_PLUGIN) -> Peers:
             absent[peer] = reasons.get(peer, _SETUP_HINT)
         else:
             versions[peer] = version
+    if CORE in versions:
+        versions[CORE] = our_version()
     return Peers(versions, absent)
 
 

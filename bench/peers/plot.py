@@ -16,7 +16,7 @@ from matplotlib.patheffects import withStroke
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
 from peers.labels import Box, place
-from peers.policies import BASELINE, OURS
+from peers.policies import BASELINE, CORE, OURS
 from peers.records import Record
 from peers.summary import means
 
@@ -51,12 +51,17 @@ class Point:
 
 
 def points(records: Sequence[Record]) -> list[Point]:
-    """Of every policy with a time and an error; ours last, so that it is drawn on top."""
+    """Of every policy with a time and an error; ours last, so that it is drawn on top.
+
+    The core without a host has the errors of ours and is left out.
+    """
     peer_of = {record.policy: record.peer for record in records}
     found = [
         Point(each.policy, peer_of[each.policy], time, rms)
         for each in means(records)
-        if (time := each.means["time"]) is not None and (rms := each.means["rms"]) is not None
+        if peer_of[each.policy] != CORE
+        and (time := each.means["time"]) is not None
+        and (rms := each.means["rms"]) is not None
     ]
     return sorted(found, key=lambda point: point.peer == OURS)
 

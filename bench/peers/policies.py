@@ -12,8 +12,9 @@ from decimators import curvdecim, meshlab, meshlab_clustering
 
 from peers.adapters import Adapter, HostFilter, Library, Program
 
-OURS = "CurvDecim"
+OURS, CORE = "CurvDecim", "CurvDecim core"  # in PyMeshLab, and without a host
 FAST, BALANCED, BEST = f"{OURS} Fast", f"{OURS} Balanced", f"{OURS} Best"
+CORE_FAST = f"{CORE} Fast"
 BASELINE = "MeshLab quadric"
 MESHOPTIMIZER_UPDATE = "meshoptimizer simplifyWithUpdate"
 
@@ -36,10 +37,6 @@ class Policy:
     adapter: Adapter
     diagonal: float | None = None
     largest_faces: int = 0
-
-    @property
-    def is_ours(self) -> bool:
-        return self.peer == OURS
 
 
 def every_policy(plugin: Path) -> list[Policy]:
@@ -77,6 +74,10 @@ def _ours(plugin: Path) -> list[Policy]:
         *(
             policy(f"{name}, plain quadric", preset=preset, metric="Quadric")
             for name, preset in presets.items()
+        ),
+        *(
+            Policy(f"{CORE} {preset}", CORE, Program("curvdecim", preset), largest_faces=_ANY_SIZE)
+            for preset in presets.values()
         ),
     ]
 
