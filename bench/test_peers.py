@@ -341,6 +341,7 @@ def test_the_tables_have_every_policy_the_reasons_and_the_bars(tmp_path: Path) -
 def test_without_a_baseline_there_are_no_ratios(tmp_path: Path) -> None:
     text = markdown(tmp_path, every_table(results([CASE[4]])))
     assert "|CGALLindstrom-Turk|1160|16000|-|" in text
+    assert "Geometricmeans" not in text
 
 
 def test_a_face_count_above_the_target_has_a_star(tmp_path: Path) -> None:

@@ -62,7 +62,7 @@ def every_table(results: Results) -> list[Table]:
         _case_table(mesh, fraction, list(case.values()), results.originals.get(mesh, {}))
         for (mesh, fraction), case in by_case(results.records).items()
     ]
-    shown.append(_means_table(results.records))
+    shown += _means_tables(results.records)
     found = standings(results.records)
     if found:
         shown.append(_standings_table(found))
@@ -121,15 +121,18 @@ def _shape_cells(figures: dict[str, Any]) -> list[str]:
     ]
 
 
-def _means_table(records: Sequence[Record]) -> Table:
+def _means_tables(records: Sequence[Record]) -> Iterable[Table]:
+    """One, or none where the baseline was not measured."""
+    found = means(records)
+    taken = [name for name in RATIOS if any(each.means[name] is not None for each in found)]
+    if not taken:
+        return
     title = f"Geometric means of the ratios to {BASELINE}, errors where the target is met"
     failed = ", ".join(f"{mesh} to {fraction:.0%}" for mesh, fraction in failed_baselines(records))
     if failed:
         title += f"; errors without {failed}, where {BASELINE} fails"
-    found = means(records)
-    taken = [name for name in RATIOS if any(each.means[name] is not None for each in found)]
     headings = ("policy", "cases", *(_MEANS_HEADINGS.get(name, name) for name in taken))
-    return table(title, headings, (_means_cells(each, taken) for each in found))
+    yield table(title, headings, (_means_cells(each, taken) for each in found))
 
 
 def _means_cells(each: Means, taken: Sequence[str]) -> list[str]:
