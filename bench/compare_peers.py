@@ -15,7 +15,7 @@ from __future__ import annotations
 import argparse
 import sys
 import tempfile
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from datetime import date
 from functools import lru_cache
 from pathlib import Path
@@ -125,11 +125,7 @@ def _start(
 def _files(options: argparse.Namespace, folder: Path, console: Console) -> list[MeshFiles]:
     at_hand = {path.name: path for path in everything()}
     if options.large:
-        there = [each for each in LARGE if each.source in at_hand]
-        wanted = [each for each in there if not options.mesh or each.name in options.mesh]
-        _CACHE.mkdir(parents=True, exist_ok=True)
-        paths = [make(each, at_hand[each.source], _CACHE) for each in wanted]
-        return [MeshFiles(path.stem, path, _CACHE) for path in paths]
+        return _large_files(options.mesh, at_hand, console)
     found = []
     for name in options.mesh or _MESHES:
         path = at_hand.get(name, Path(name))
@@ -137,6 +133,22 @@ def _files(options: argparse.Namespace, folder: Path, console: Console) -> list[
             found.append(MeshFiles(path.name, path, folder))
         else:
             console.print(f"left out, not at hand: {name}", markup=False)
+    return found
+
+
+def _large_files(
+    names: Sequence[str], at_hand: Mapping[str, Path], console: Console
+) -> list[MeshFiles]:
+    found = []
+    for large in LARGE:
+        if names and large.name not in names:
+            continue
+        if large.source not in at_hand:
+            console.print(f"left out, {large.source} is not at hand: {large.name}", markup=False)
+            continue
+        console.print(f"{large.name}: made once, kept in {_CACHE}", markup=False)
+        path = make(large, at_hand[large.source], _CACHE)
+        found.append(MeshFiles(large.name, path, _CACHE))
     return found
 
 
