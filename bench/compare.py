@@ -20,12 +20,13 @@ from typing import Any
 
 import numpy as np
 import tables
-from decimators import DEFAULT_PLUGIN, Decimator, FilterError, curvdecim, meshlab
+from decimators import DEFAULT_PLUGIN, Decimator, curvdecim, meshlab
 from judge import Figures, topology
 from meshes import REPOSITORY, everything
 from models import Model, Result
 from rich.progress import track
 from surface import Surface
+from workers import FilterError
 
 _FRACTIONS = (0.20, 0.05)
 _LEAST_FACES = 100  # smaller meshes say nothing at 5 %

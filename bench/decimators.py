@@ -3,22 +3,21 @@
 
 from __future__ import annotations
 
-import json
 import statistics
-import subprocess
 import sys
 import tempfile
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
 from meshes import REPOSITORY, read_mesh
 from surface import Floats, Ints
+from workers import PATIENCE, ask
 
 DEFAULT_PLUGIN = REPOSITORY / "build/plugins/pymeshlab-2025.07/libfilter_curvdecim.so"
+CELL_PARAMETER = "threshold"  # of MeshLab's clustering
 _WORKER = Path(__file__).with_name("filter_worker.py")
-_SECONDS_PATIENCE = 1800  # then a filter counts as hung
 
 Parameters = dict[str, Any]
 
@@ -39,10 +38,6 @@ _MESHLAB_DEFAULTS: Parameters = {
 }
 
 
-class FilterError(RuntimeError):
-    """A filter ended with an error; the message says which, on what, and its last words."""
-
-
 @dataclass(frozen=True)
 class Decimator:
     """A filter with its parameters, apart from the target."""
@@ -55,12 +50,16 @@ class Decimator:
 
 @dataclass(frozen=True)
 class Outcome:
-    """A simplified mesh: (n, 3) vertices, (m, 3) faces, the median time, the filter's report."""
+    """A simplified mesh: (n, 3) vertices, (m, 3) faces, the median time, the filter's report.
+
+    peak_bytes: how far the process grew during the call; None where it cannot be known.
+    """
 
     vertices: Floats
     faces: Ints
     seconds: float
     report: dict[str, Any]
+    peak_bytes: int | None = None
 
 
 def curvdecim(plugin: Path, name: str = "CurvDecim", **parameters: Any) -> Decimator:
@@ -68,11 +67,18 @@ def curvdecim(plugin: Path, name: str = "CurvDecim", **parameters: Any) -> Decim
     return Decimator(name, "meshing_decimation_curvature_edge_collapse", plugin, parameters)
 
 
-def meshlab() -> Decimator:
-    """MeshLab's own quadric edge collapse with its true defaults."""
+def meshlab(name: str = "MeshLab", **parameters: Any) -> Decimator:
+    """MeshLab's own quadric edge collapse with its true defaults, apart from what is given."""
     return Decimator(
-        "MeshLab", "meshing_decimation_quadric_edge_collapse", parameters=_MESHLAB_DEFAULTS
+        name,
+        "meshing_decimation_quadric_edge_collapse",
+        parameters=_MESHLAB_DEFAULTS | parameters,
     )
+
+
+def meshlab_clustering(name: str = "MeshLab clustering") -> Decimator:
+    """MeshLab's clustering; its one parameter, the cell, has to be found for a target."""
+    return Decimator(name, "meshing_decimation_clustering")
 
 
 def race(
@@ -88,39 +94,49 @@ def race(
             if turn == 0:
                 outcomes.append(outcome)
     return [
-        Outcome(outcome.vertices, outcome.faces, statistics.median(times), outcome.report)
+        replace(outcome, seconds=statistics.median(times))
         for outcome, times in zip(outcomes, seconds, strict=True)
     ]
 
 
-def run_once(mesh: Path, target_faces: int, decimator: Decimator) -> Outcome:
-    """One decimator on one mesh, in a fresh process."""
+def run_once(
+    mesh: Path, target_faces: int, decimator: Decimator, patience: float = PATIENCE
+) -> Outcome:
+    """One decimator on one mesh, in a fresh process; patience in seconds."""
+    parameters = decimator.parameters | {"targetfacenum": target_faces}
+    return apply(mesh, decimator, parameters, _what(mesh, target_faces, decimator), patience)
+
+
+def apply(
+    mesh: Path, decimator: Decimator, parameters: Parameters, what: str, patience: float = PATIENCE
+) -> Outcome:
+    """A filter with exactly these parameters; `what` names the run in a FilterError."""
     with tempfile.TemporaryDirectory() as folder:
         output = Path(folder) / "simplified.ply"
-        answer = _ask_worker(mesh, target_faces, decimator, output)
-        return Outcome(*read_mesh(output), answer["seconds"], answer["report"])
+        job = _job(mesh, decimator, parameters) | {"output": str(output)}
+        answer = ask([sys.executable, str(_WORKER)], job, what, patience)
+        vertices, faces = read_mesh(output)
+    return Outcome(vertices, faces, answer["seconds"], answer["report"], answer["peak_bytes"])
 
 
-def _ask_worker(mesh: Path, target_faces: int, decimator: Decimator, output: Path) -> dict:
-    job = {
+def find_cell(
+    mesh: Path, target_faces: int, clustering: Decimator, patience: float = PATIENCE
+) -> float:
+    """The cell of MeshLab's clustering for the target, as a fraction of the diagonal."""
+    job = _job(mesh, clustering, clustering.parameters)
+    job |= {"cell_for": target_faces, "cell_parameter": CELL_PARAMETER}
+    what = _what(mesh, target_faces, clustering)
+    return ask([sys.executable, str(_WORKER)], job, what, patience)["cell"]
+
+
+def _what(mesh: Path, target_faces: int, decimator: Decimator) -> str:
+    return f"{decimator.name} on {mesh.name} to {target_faces} faces"
+
+
+def _job(mesh: Path, decimator: Decimator, parameters: Parameters) -> dict[str, Any]:
+    return {
         "mesh": str(mesh),
         "plugin": str(decimator.plugin.resolve()) if decimator.plugin else None,
         "filter": decimator.filter,
-        "parameters": decimator.parameters | {"targetfacenum": target_faces},
-        "output": str(output),
+        "parameters": parameters,
     }
-    what = f"{decimator.name} on {mesh.name} to {target_faces} faces"
-    try:
-        done = subprocess.run(
-            [sys.executable, str(_WORKER)],
-            input=json.dumps(job),
-            capture_output=True,
-            text=True,
-            timeout=_SECONDS_PATIENCE,
-            check=False,
-        )
-    except subprocess.TimeoutExpired as late:
-        raise FilterError(f"{what}: no end after {_SECONDS_PATIENCE} s") from late
-    if done.returncode != 0:
-        raise FilterError(f"{what}: exit code {done.returncode}\n{done.stderr.strip()[-2000:]}")
-    return json.loads(done.stdout.splitlines()[-1])

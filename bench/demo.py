@@ -16,13 +16,14 @@ from itertools import product
 from pathlib import Path
 
 import tables
-from decimators import DEFAULT_PLUGIN, FilterError, curvdecim, meshlab
+from decimators import DEFAULT_PLUGIN, curvdecim, meshlab
 from meshes import REPOSITORY, shipped, write_mesh
 from models import Model, Result
 from picture import Panel, View, draw
 from rich.console import Console
 from rich.progress import track
 from rich.table import Table
+from workers import FilterError
 
 VIEWS = {"cow": View((1.0, 0.25, 0.45)), "bunny": View((0.1, 0.15, 1.0))}
 FRACTIONS = (0.20, 0.05)

@@ -12,7 +12,7 @@ from rich import box
 from rich.console import Console
 from rich.table import Table
 
-_LEAST_WIDTH = 180  # columns: the widest table in one line; a narrow terminal folds it
+_LEAST_WIDTH = 210  # columns: the widest table in one line; a narrow terminal folds it
 _MARKDOWN_WIDTH = 1000  # no wrapping
 
 

@@ -12,10 +12,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 import tables
-from decimators import Decimator, FilterError, meshlab, race
+from decimators import Decimator, meshlab, race
 from meshes import read_mesh, shipped, write_mesh
 from models import Model
 from picture import Panel, View, draw
+from workers import FilterError
 
 COW = shipped("cow.obj")
 

@@ -30,11 +30,12 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
 import tables
-from decimators import Decimator, FilterError, curvdecim
+from decimators import Decimator, curvdecim
 from judge import Figures
 from meshes import REPOSITORY, shipped
 from models import Model
 from paper_options import paper_options
+from workers import FilterError
 
 KEPT = 0.20  # of the faces, as in Table 1
 ALPHAS = (1e-1, 1e-2, 1e-3, 1e-4)  # over the diagonal squared

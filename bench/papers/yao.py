@@ -29,11 +29,12 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
 import numpy as np
 import tables
-from decimators import Decimator, FilterError, curvdecim
+from decimators import Decimator, curvdecim
 from judge import Figures
 from meshes import REPOSITORY, shared_folder, shipped
 from models import Model
 from paper_options import paper_options
+from workers import FilterError
 
 LAMBDAS = (1e-3, 1e-2)  # of a mesh of diagonal 1
 SHIPPED = ("bone.ply", "cow.obj", "bunny.obj")
