@@ -185,13 +185,13 @@ std::vector<Parameter> custom_rows() {
        {edge_collapse<&EdgeCollapseParams::placement>()}},
       {"Scheduler", "Scheduler (preset Custom)", Kind::Enum, any, "",
        "Used with the preset Custom.", "",
-       {{"Rounds", "fast",
+       {{"Rounds", "",
          "many collapses at once on all cores, the cheapest that lie apart"},
         {"Lazy", "strict order",
          "one by one, cheapest first; costs are brought up to date when they come up"},
-        {"Eager", "slightly lower error",
+        {"Eager", "lower error",
          "one by one, cheapest first; costs around are brought up to date at once"},
-        {"FewRounds", "fastest", "as Rounds, with more collapses a round"}},
+        {"FewRounds", "", "as Rounds, with more collapses a round"}},
        {edge_collapse<&EdgeCollapseParams::scheduler>()}},
   };
 }
