@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "support/shape.h"
+#include "vcg_ext/guard/triangle_after.h"
 #include "vcg_ext/mesh/working_mesh.h"
 #include "vcg_ext/metric/candidate.h"
 
@@ -35,7 +36,9 @@ void collapse_edge(WorkingMesh& mesh, Edge edge, const Vector3& x, Release relea
   EdgeNeighborhood around;
   around.gather(mesh.connectivity, edge);
   const Collapse done{edge.a, edge.b, mesh.position[edge.a], mesh.position[edge.b], x, 0.5};
-  release(around);
+  std::vector<FacePlane> after;
+  for (int f : around.star()) after.push_back(face_plane(triangle_after(mesh, f, edge, x)));
+  release(around, after);
   mesh.position[edge.a] = x;
   mesh.connectivity.count(mesh.connectivity.collapse(edge.a, edge.b));
   for (int f : around.star()) mesh.update_plane(f);

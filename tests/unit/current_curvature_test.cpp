@@ -30,7 +30,8 @@ void collapse_some(WorkingMesh& mesh, CurrentCurvature& current) {
     if (!may_collapse(mesh, edge)) continue;
     const Vector3 x = 0.3 * mesh.position[edge.a] + 0.7 * mesh.position[edge.b];
     collapse_edge(
-        mesh, edge, x, [&](const EdgeNeighborhood& around) { current.release(around); },
+        mesh, edge, x,
+        [&](const EdgeNeighborhood& around, const auto&) { current.release(around); },
         [&](const Collapse& done, const EdgeNeighborhood& around) {
           current.merge(done.keep, around);
         });
@@ -99,9 +100,10 @@ void expect_factors_after_a_collapse(CurvatureOf of, Saturation saturation) {
   const Vector3 x = mesh.position[25] + Vector3(0, 0, 0.05);
   collapse_edge(
       mesh, {24, 25}, x,
-      [&](const EdgeNeighborhood& around) { weighted.release(around), plain.release(around); },
+      [&](const EdgeNeighborhood& around, const std::vector<FacePlane>& after) {
+        weighted.release(around, after), plain.release(around, after);
+      },
       [&](const Collapse& done, const EdgeNeighborhood& around) {
-        gather_ring(mesh, done.keep, ring);
         weighted.merge(done, around, ring), plain.merge(done, around, ring);
       });
   for (int v : {17, 23, 24, 31, 33})

@@ -18,8 +18,7 @@ Vector3 tilted(double degrees) {
 }
 
 bool turned(double degrees, double cos_limit) {
-  constexpr double area = 0.5;
-  return turns_too_far(tilted(0), area * tilted(degrees), cos_limit * area);
+  return turns_too_far(tilted(0), {tilted(degrees), 0.5}, cos_limit);
 }
 
 TEST(NormalFlip, IsATurnBeyondTheLimit) {
@@ -30,7 +29,11 @@ TEST(NormalFlip, IsATurnBeyondTheLimit) {
 }
 
 TEST(NormalFlip, IsNoneWithoutANormalBefore) {
-  EXPECT_FALSE(turns_too_far(Vector3::Zero(), tilted(180), 0.0));
+  EXPECT_FALSE(turns_too_far(Vector3::Zero(), {tilted(180), 0.5}, 0.0));
+}
+
+TEST(NormalFlip, IsNoneWithoutANormalAfter) {
+  EXPECT_FALSE(turns_too_far(tilted(0), FacePlane{}, 0.5));
 }
 
 TEST(NormalFlip, IsNoneWithALimitOf180Degrees) { EXPECT_FALSE(turned(180, -1.0)); }

@@ -168,7 +168,10 @@ TEST(CurvatureWeightedMetric, WithInfiniteAlphaIsTheQuadric) {
 template <class... Metrics>
 void collapse(WorkingMesh& mesh, Edge edge, const Vector3& x, Metrics&... metrics) {
   collapse_edge(
-      mesh, edge, x, [&](const EdgeNeighborhood& around) { (metrics.release(around), ...); },
+      mesh, edge, x,
+      [&](const EdgeNeighborhood& around, const std::vector<FacePlane>& after) {
+        (metrics.release(around, after), ...);
+      },
       [&](const Collapse& done, const EdgeNeighborhood& around) {
         VertexRing ring;
         (metrics.merge(done, around, ring), ...);

@@ -33,13 +33,17 @@ class CollapseGuards {
     for (const FacePlane& plane : mesh.plane) input_normal_.push_back(plane.normal);
   }
 
-  /// May the edge collapse to x?
-  GuardAnswer ask(const EdgeNeighborhood& around, const Vector3& x) const {
+  /// May the edge collapse to x? If so, `after` has the planes that the star would have.
+  GuardAnswer ask(const EdgeNeighborhood& around, const Vector3& x,
+                  std::vector<FacePlane>& after) const {
     if (link_condition_ && !satisfies_link_condition(mesh_, around))
       return {Rejection::LinkCondition};
-    for (int f : around.star())
-      if (const auto reason = refusal_of_face(f, triangle_after(mesh_, f, around.edge(), x)))
-        return {reason};
+    after.clear();
+    for (int f : around.star()) {
+      const Triangle triangle = triangle_after(mesh_, f, around.edge(), x);
+      after.push_back(face_plane(triangle));
+      if (const auto reason = refusal_of_face(f, triangle, after.back())) return {reason};
+    }
     if (!bound_.active()) return {};
     const double bound = bound_.after(mesh_, around, x);
     if (!bound_.allows(bound)) return {Rejection::ErrorBound};
@@ -65,13 +69,13 @@ class CollapseGuards {
 
   /// Turns are counted from the current normal and from the input's, so that many small ones cannot
   /// flip a face.
-  std::optional<Rejection> refusal_of_face(int f, const Triangle& after) const {
-    const Vector3 area_vector = curvdecim::area_vector(after);
-    const double area = area_vector.norm();
-    if (turns_too_far(mesh_.plane[f].normal, area_vector, cos_normal_ * area) ||
-        turns_too_far(input_normal_[f], area_vector, cos_input_normal_ * area))
+  std::optional<Rejection> refusal_of_face(int f, const Triangle& after,
+                                           const FacePlane& plane_after) const {
+    const FacePlane& plane = mesh_.plane[f];
+    if (turns_too_far(plane.normal, plane_after, cos_normal_) ||
+        turns_too_far(input_normal_[f], plane_after, cos_input_normal_))
       return Rejection::NormalFlip;
-    if (spoils_shape(mesh_.triangle(f), mesh_.plane[f].area, after, area, least_shape_quality))
+    if (spoils_shape(mesh_.triangle(f), plane.area, after, plane_after.area, least_shape_quality))
       return Rejection::TriangleShape;
     return std::nullopt;
   }

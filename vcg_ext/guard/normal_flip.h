@@ -5,10 +5,10 @@
 
 namespace curvdecim {
 
-/// True if the unit normal turns too far towards the new area vector: `least` is the cosine of the
-/// largest angle times the new area. A face that had no area had no normal (zero) to turn.
-inline bool turns_too_far(const Vector3& before, const Vector3& area_vector_after, double least) {
-  return before.dot(area_vector_after) < least && before.squaredNorm() > 0.0;
+/// True if the unit normal turns too far: `least` is the cosine of the largest angle. A face
+/// without area has no normal (zero) to turn.
+inline bool turns_too_far(const Vector3& before, const FacePlane& after, double least) {
+  return before.dot(after.normal) < least && before.squaredNorm() > 0.0 && after.area > 0.0;
 }
 
 }  // namespace curvdecim

@@ -29,7 +29,9 @@ class CurvatureAdditiveMetric {
     for (std::size_t i = 0; i < others.size(); ++i) costs[i] += additive_term({v, others[i]});
   }
 
-  void release(const EdgeNeighborhood& around) { quadric_.release(around); }
+  void release(const EdgeNeighborhood& around, const std::vector<FacePlane>& after) {
+    quadric_.release(around, after);
+  }
 
   void merge(const Collapse& collapse, const EdgeNeighborhood& around, VertexRing& ring) {
     quadric_.merge(collapse, around, ring);

@@ -43,8 +43,8 @@ class CurvatureWeightedMetric {
       costs[i] *= weight_.of_edge(saturation_[v], saturation_[others[i]]);
   }
 
-  void release(const EdgeNeighborhood& around) {
-    quadric_.release(around);
+  void release(const EdgeNeighborhood& around, const std::vector<FacePlane>& after) {
+    quadric_.release(around, after);
     if (follows_current()) current_.release(around);
   }
 

@@ -7,9 +7,8 @@
 
 namespace curvdecim {
 
-/// The plane of face f about any of its corners, which it passes through.
-inline Symmetric3 plane_matrix_of_face(const WorkingMesh& mesh, int f, PlaneWeight weight) {
-  const FacePlane& plane = mesh.plane[f];
+/// The plane of a face about any of its corners, which it passes through.
+inline Symmetric3 plane_matrix(const FacePlane& plane, PlaneWeight weight) {
   return Symmetric3::outer(plane.normal, weight == PlaneWeight::Area ? plane.area : 1.0);
 }
 
@@ -17,7 +16,7 @@ inline Symmetric3 plane_matrix_of_face(const WorkingMesh& mesh, int f, PlaneWeig
 /// left.
 inline Symmetric3 plane_matrix(const WorkingMesh& mesh, int v, PlaneWeight weight) {
   Symmetric3 sum;
-  for (int f : mesh.connectivity.faces_of(v)) sum += plane_matrix_of_face(mesh, f, weight);
+  for (int f : mesh.connectivity.faces_of(v)) sum += plane_matrix(mesh.plane[f], weight);
   return sum;
 }
 

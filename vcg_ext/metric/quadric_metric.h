@@ -68,14 +68,24 @@ class QuadricMetric {
     }
   }
 
-  /// Before a collapse: the faces around the edge leave the vertices that will remain.
-  void release(const EdgeNeighborhood& around) {
+  /// Before a collapse: the vertices around the edge's ends lose the wings and see the star as it
+  /// will be.
+  void release(const EdgeNeighborhood& around, const std::vector<FacePlane>& after) {
     if (!memoryless_) return;
-    for (const auto* faces : {&around.wings(), &around.star()})
-      for (int f : *faces) add_face(f, -1.0, around.edge());
+    for (int f : around.wings()) {
+      const FacePlane& plane = mesh_.plane[f];
+      add_to_ring(f, around.edge(), matrix(plane) * -1.0, -plane.area_vector());
+    }
+    for (std::size_t i = 0; i < after.size(); ++i) {
+      const int f = around.star()[i];
+      const FacePlane& before = mesh_.plane[f];
+      add_to_ring(f, around.edge(), matrix(after[i]) - matrix(before),
+                  after[i].area_vector() - before.area_vector());
+    }
   }
 
-  /// After it: the faces that remain are back in their new shape. ring: scratch.
+  /// After it: the merged vertex gets what its ends remember and the faces around it. ring:
+  /// scratch.
   void merge(const Collapse& collapse, const EdgeNeighborhood& around, VertexRing& ring) {
     const auto [keep, gone, keep_was, gone_was, now, t] = collapse;
     if (!memoryless_) {
@@ -86,13 +96,17 @@ class QuadricMetric {
     sum_[keep] = {remembered(keep).with_origin_moved(now - keep_was) +
                   remembered(gone).with_origin_moved(now - gone_was)};
     memory_[keep] = sum_[keep].quadric.a;
-    for (int f : around.star())
-      if (mesh_.connectivity.alive(f)) add_face(f, 1.0, no_edge);
-    if (mesh_.kind[keep] == VertexKind::Interior) return;
+    bool doubled = false;  // faces that fell onto others are gone again
+    for (int f : around.star()) {
+      doubled |= !mesh_.connectivity.alive(f);
+      sum_[keep].quadric.a += matrix(mesh_.plane[f]);
+      sum_[keep].gradient += mesh_.plane[f].area_vector();
+    }
+    if (mesh_.kind[keep] == VertexKind::Interior && !doubled) return;
     recompute(keep);
     gather_ring(mesh_, keep, ring);
     for (const RingVertex& u : ring)
-      if (mesh_.kind[u.vertex] == VertexKind::Boundary) recompute(u.vertex);
+      if (doubled || mesh_.kind[u.vertex] == VertexKind::Boundary) recompute(u.vertex);
   }
 
   void renumber(const Renumbering& numbers) { numbers.vertices(sum_), numbers.vertices(memory_); }
@@ -118,13 +132,15 @@ class QuadricMetric {
     Vector3 gradient = Vector3::Zero();  // memoryless: volume_gradient
   };
 
+  Symmetric3 matrix(const FacePlane& plane) const {
+    return plane_matrix(plane, params_.plane_weight);
+  }
+
   /// To the sums of the corners that are not on the edge.
-  void add_face(int f, double sign, Edge edge) {
-    const Symmetric3 plane = plane_matrix_of_face(mesh_, f, params_.plane_weight) * sign;
-    const Vector3 area_vector = sign * mesh_.plane[f].area_vector();
+  void add_to_ring(int f, Edge edge, const Symmetric3& matrix, const Vector3& area_vector) {
     for (int v : mesh_.connectivity.face(f)) {
       if (v == edge.a || v == edge.b) continue;
-      sum_[v].quadric.a += plane;
+      sum_[v].quadric.a += matrix;
       sum_[v].gradient += area_vector;
     }
   }

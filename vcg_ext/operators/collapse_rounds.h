@@ -124,7 +124,8 @@ class CollapseRounds {
       for_picks([&](int i, Scratch& scratch) { check(picks_[i], scratch); });
       drop_needless();
       for_picks([&](int i, Scratch& scratch) {
-        scratch.around.gather(mesh_.connectivity, picks_[i].edge);
+        if (picks_[i].ready)
+          collapser_.ask(picks_[i].edge, picks_[i].candidate.position, scratch);  // for the scratch
         collapse(i, scratch);
       });
     } else {

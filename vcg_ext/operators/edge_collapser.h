@@ -18,8 +18,8 @@ namespace curvdecim {
 /// look may run at the same time, and so may collapses whose neighbourhoods share no vertex.
 ///
 /// `Metric` has initialize(parallel), evaluate(edge, allowed, wings) -> optional<Candidate>,
-/// estimate(v, others, costs), release(around) before a collapse, merge(collapse, around, scratch)
-/// after it, and renumber(numbers).
+/// estimate(v, others, costs), release(around, after) before a collapse, with the planes that the
+/// star gets, merge(collapse, around, scratch) after it, and renumber(numbers).
 template <class MetricType>
 class EdgeCollapser {
  public:
@@ -30,6 +30,7 @@ class EdgeCollapser {
     EdgeNeighborhood around;     // of the edge asked about or collapsed last
     VertexRing ring;             // of the vertex last chosen for, or merged
     std::vector<EdgeChoice> options;
+    std::vector<FacePlane> after;  // of the star, were the edge asked about last collapsed
   };
 
   EdgeCollapser(WorkingMesh& mesh, MetricType& metric, const DecimationParams& params)
@@ -101,7 +102,7 @@ class EdgeCollapser {
     const int busier = a_faces > b_faces ? edge.a : edge.b;
     if (valence(busier) > hub && rests(busier)) return {Rejection::HubAtRest};
     scratch.around.gather(mesh_.connectivity, edge);
-    const GuardAnswer answer = guards_.ask(scratch.around, x);
+    const GuardAnswer answer = guards_.ask(scratch.around, x, scratch.after);
     if (answer.refusal && valence(busier) > hub) rest_[busier] = valence(busier) / hub_rest;
     return answer;
   }
@@ -127,12 +128,12 @@ class EdgeCollapser {
     Removed removed;  // still to be counted
   };
 
-  /// Of the edge whose neighbourhood is in the scratch, as the guards allowed it.
+  /// Of the edge asked about last, as the guards allowed it.
   Done collapse(const Candidate& candidate, double error_bound, int number, Scratch& scratch) {
     const EdgeNeighborhood& around = scratch.around;
     const Collapse done = collapse_of(around.edge(), candidate);
     guards_.accept(around, error_bound);
-    metric_.release(around);
+    metric_.release(around, scratch.after);
     for (CollapseObserver* observer : observers_) observer->before(mesh_, around, done, number);
     mesh_.position[done.keep] = candidate.position;
     Removed removed = mesh_.connectivity.collapse(done.keep, done.gone);
@@ -141,8 +142,8 @@ class EdgeCollapser {
     if (!mesh_.importance.empty())
       mesh_.importance[done.keep] +=
           done.t * (mesh_.importance[done.gone] - mesh_.importance[done.keep]);
-    for (int f : around.star())
-      if (mesh_.connectivity.alive(f)) mesh_.update_plane(f);
+    for (std::size_t i = 0; i < around.star().size(); ++i)
+      mesh_.plane[around.star()[i]] = scratch.after[i];
     metric_.merge(done, around, scratch.ring);
     return {done.keep, done.gone, removed};
   }
