@@ -24,7 +24,7 @@ class CurvatureWeightedMetric {
   void initialize(const Parallel& parallel) {
     quadric_.initialize(parallel);
     CurvatureField field = curvature_field(mesh_, params_, parallel);
-    weight_ = curvature_weight(params_, field.mean(), diagonal_);
+    weight_ = curvature_weight(params_, field, diagonal_);
     saturation_ = std::move(field.value), area_ = std::move(field.area);
     parallel.for_each(static_cast<int>(saturation_.size()),
                       [&](int v) { saturation_[v] = weight_.saturation(saturation_[v]); });
@@ -59,7 +59,7 @@ class CurvatureWeightedMetric {
   bool follows_current() const { return params_.curvature_of == CurvatureOf::Current; }
 
   void update(int v) {
-    saturation_[v] = weight_.saturation(current_.at(v).of_kind(params_.curvature_kind));
+    saturation_[v] = weight_.saturation(current_.at(v).measure(params_));
   }
 
   /// Of the input's area that has gone into each.
