@@ -85,7 +85,7 @@ struct DecimationParams {
 
 /// How curvature becomes a factor on the cost @cite pellizzoni2020.
 struct CurvatureParams {
-  double alpha = 0.35;           ///< <= 0: infinite, that is plain quadrics
+  double alpha = 0.5;            ///< <= 0: infinite, that is plain quadrics
   double curvature_floor = 0.3;  ///< [0, 1]: factor of a flat vertex with AlphaUnits::ScaleFree
   AlphaUnits alpha_units = AlphaUnits::ScaleFree;
   CurvatureKind curvature_kind = CurvatureKind::Absolute;

@@ -33,8 +33,8 @@ struct CurvatureField {
     while (end - begin > 1) {
       const auto middle = begin + (end - begin) / 2;
       std::nth_element(begin, middle, end, below);
-      const double lower = std::accumulate(
-          begin, middle, 0.0, [this](double sum, int v) { return sum + area[v]; });
+      const double lower =
+          std::accumulate(begin, middle, 0.0, [this](double sum, int v) { return sum + area[v]; });
       if (left < lower)
         end = middle;
       else

@@ -25,9 +25,9 @@ struct VertexCurvature {
     return kind == CurvatureKind::Gaussian ? std::abs(gaussian) : absolute();
   }
 
-  /// The same, 1/length^2, as |K|, which is also the angle that the border of an open surface leaves
-  /// out. Absolute adds a little of (|k1| + |k2|)^2: cylinders and ridges come between what is flat
-  /// and what is curved both ways.
+  /// The same, 1/length^2, as |K|, which is also the angle that the border of an open surface
+  /// leaves out. Absolute adds a little of (|k1| + |k2|)^2: cylinders and ridges come between what
+  /// is flat and what is curved both ways.
   double density(CurvatureKind kind) const {
     constexpr double ridges = 0.03;  // a cylinder counts about a fortieth of a sphere
     const double k = absolute();

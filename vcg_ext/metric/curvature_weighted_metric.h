@@ -58,9 +58,7 @@ class CurvatureWeightedMetric {
  private:
   bool follows_current() const { return params_.curvature_of == CurvatureOf::Current; }
 
-  void update(int v) {
-    saturation_[v] = weight_.saturation(current_.at(v).measure(params_));
-  }
+  void update(int v) { saturation_[v] = weight_.saturation(current_.at(v).measure(params_)); }
 
   /// Of the input's area that has gone into each.
   void average(int keep, int gone) {
