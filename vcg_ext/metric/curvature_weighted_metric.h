@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -13,7 +14,9 @@ namespace curvdecim {
 
 /// Quadric error times a factor that grows with the curvature at both ends @cite pellizzoni2020,
 /// equation 8. The curvature is that of the current mesh, as in the paper, or that of the input,
-/// which a merged vertex has by area from the two it came from.
+/// which a merged vertex has by area from the two it came from. With the input's, ScaleFree gives
+/// one root of the factor to the planes, so that vertices are drawn to curved places too, and the
+/// other to the cost.
 class CurvatureWeightedMetric {
  public:
   /// diagonal: of the input in its own unit.
@@ -22,18 +25,18 @@ class CurvatureWeightedMetric {
       : mesh_(mesh), params_(params), diagonal_(diagonal), quadric_(mesh, params), current_(mesh) {}
 
   void initialize(const Parallel& parallel) {
-    quadric_.initialize(parallel);
     CurvatureField field = curvature_field(mesh_, params_, parallel);
     weight_ = curvature_weight(params_, field, diagonal_);
     saturation_ = std::move(field.value), area_ = std::move(field.area);
     parallel.for_each(static_cast<int>(saturation_.size()),
                       [&](int v) { saturation_[v] = weight_.saturation(saturation_[v]); });
+    quadric_.initialize(parallel, weighs_planes() ? roots(parallel) : std::vector<double>());
     if (follows_current()) current_.initialize(parallel);
   }
 
   std::optional<Candidate> evaluate(Edge edge, Allowed allowed, const Vector3& wings) const {
     std::optional<Candidate> candidate = quadric_.evaluate(edge, allowed, wings);
-    if (candidate) candidate->cost *= weight_.of_edge(saturation_[edge.a], saturation_[edge.b]);
+    if (candidate) candidate->cost *= factor(edge);
     return candidate;
   }
 
@@ -43,8 +46,10 @@ class CurvatureWeightedMetric {
   }
 
   void merge(const Collapse& collapse, const EdgeNeighborhood& around, const VertexRing& ring) {
+    if (!follows_current()) average(collapse.keep, collapse.gone);
+    if (weighs_planes()) quadric_.set_factor(collapse.keep, root(collapse.keep));
     quadric_.merge(collapse, around, ring);
-    if (!follows_current()) return average(collapse.keep, collapse.gone);
+    if (!follows_current()) return;
     current_.merge(collapse.keep, around);
     update(collapse.keep);
     for (const RingVertex& u : ring) update(u.vertex);
@@ -57,6 +62,24 @@ class CurvatureWeightedMetric {
 
  private:
   bool follows_current() const { return params_.curvature_of == CurvatureOf::Current; }
+
+  /// Not where the curvature changes away from the collapse.
+  bool weighs_planes() const {
+    return params_.alpha_units == AlphaUnits::ScaleFree && !follows_current();
+  }
+
+  double factor(Edge edge) const {
+    if (weighs_planes()) return 0.5 * (quadric_.factor(edge.a) + quadric_.factor(edge.b));
+    return weight_.of_edge(saturation_[edge.a], saturation_[edge.b]);
+  }
+
+  double root(int v) const { return std::sqrt(weight_.factor(saturation_[v])); }
+
+  std::vector<double> roots(const Parallel& parallel) const {
+    std::vector<double> roots(saturation_.size());
+    parallel.for_each(static_cast<int>(roots.size()), [&](int v) { roots[v] = root(v); });
+    return roots;
+  }
 
   void update(int v) { saturation_[v] = weight_.saturation(current_.at(v).measure(params_)); }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "vcg_ext/mesh/vertex_ring.h"
@@ -22,15 +23,17 @@ class QuadricMetric {
   QuadricMetric(const WorkingMesh& mesh, const EdgeCollapseParams& params)
       : mesh_(mesh), params_(params), memoryless_(params.quadrics == Quadrics::Memoryless) {}
 
-  void initialize(const Parallel& parallel) {
+  /// factors: by vertex, on the weight of planes; a face has the mean of its corners'. None: 1.
+  void initialize(const Parallel& parallel, std::vector<double> factors = {}) {
+    factor_ = std::move(factors);
     const std::vector<Symmetric3> constraints =
         ConstraintQuadrics(mesh_, params_, params_.plane_weight).build(parallel);
     sum_.resize(mesh_.position.size());
     memory_.resize(memoryless_ ? sum_.size() : 0);
     parallel.for_each(static_cast<int>(sum_.size()), [&](int v) {
       Symmetric3& carried = memoryless_ ? memory_[v] : sum_[v].quadric.a;
-      carried = plane_matrix(mesh_, v, params_.plane_weight);
-      if (!constraints.empty()) carried += constraints[v];
+      carried = planes_around(v);
+      if (!constraints.empty()) carried += constraints[v] * factor(v);
       if (memoryless_) carried = carried * memory;
       if (memoryless_) recompute(v);
     });
@@ -49,6 +52,11 @@ class QuadricMetric {
     if (placed.offset == half) return Candidate{cost, b, 1.0};
     return Candidate{cost, a + (half + placed.offset), placed.t};
   }
+
+  double factor(int v) const { return factor_.empty() ? 1.0 : factor_[v]; }
+
+  /// Between release and merge only: the faces around v are not counted then.
+  void set_factor(int v, double factor) { factor_[v] = factor; }
 
   /// Before a collapse: the faces around the edge leave the vertices that will remain.
   void release(const EdgeNeighborhood& around) {
@@ -76,7 +84,10 @@ class QuadricMetric {
       if (mesh_.kind[u.vertex] == VertexKind::Boundary) recompute(u.vertex);
   }
 
-  void renumber(const Renumbering& numbers) { numbers.vertices(sum_), numbers.vertices(memory_); }
+  void renumber(const Renumbering& numbers) {
+    numbers.vertices(sum_), numbers.vertices(memory_);
+    if (!factor_.empty()) numbers.vertices(factor_);
+  }
 
  private:
   /// Distances below this part of the edge are rounding (of float coordinates; the sums are
@@ -95,7 +106,8 @@ class QuadricMetric {
 
   /// To the sums of the corners that are not on the edge.
   void add_face(int f, double sign, Edge edge) {
-    const Symmetric3 plane = plane_matrix_of_face(mesh_, f, params_.plane_weight) * sign;
+    const Symmetric3 plane =
+        plane_matrix_of_face(mesh_, f, params_.plane_weight) * (sign * factor_of_face(f));
     const Vector3 area_vector = sign * mesh_.plane[f].area_vector();
     for (int v : mesh_.connectivity.face(f)) {
       if (v == edge.a || v == edge.b) continue;
@@ -104,12 +116,26 @@ class QuadricMetric {
     }
   }
 
+  double factor_of_face(int f) const {
+    if (factor_.empty()) return 1.0;
+    const Face& face = mesh_.connectivity.face(f);
+    return (factor_[face[0]] + factor_[face[1]] + factor_[face[2]]) / 3.0;
+  }
+
+  Symmetric3 planes_around(int v) const {
+    if (factor_.empty()) return plane_matrix(mesh_, v, params_.plane_weight);
+    Symmetric3 sum;
+    for (int f : mesh_.connectivity.faces_of(v))
+      sum += plane_matrix_of_face(mesh_, f, params_.plane_weight) * factor_of_face(f);
+    return sum;
+  }
+
   /// All current planes pass through the vertex, so that they add to the matrix only.
   Quadric remembered(int v) const { return {memory_[v], sum_[v].quadric.b, sum_[v].quadric.c}; }
 
   void recompute(int v) {
     Symmetric3& sum = sum_[v].quadric.a;
-    sum = memory_[v] + plane_matrix(mesh_, v, params_.plane_weight);
+    sum = memory_[v] + planes_around(v);
     if (mesh_.kind[v] == VertexKind::Boundary)
       sum += boundary_matrix(mesh_, v, params_.plane_weight) * params_.boundary_weight;
     sum_[v].gradient = volume_gradient(mesh_, v);
@@ -131,6 +157,7 @@ class QuadricMetric {
   const bool memoryless_;
   std::vector<Sum> sum_;            // by vertex
   std::vector<Symmetric3> memory_;  // by vertex, memoryless: of the input's planes it has met
+  std::vector<double> factor_;      // by vertex, or empty: on the weight of planes
 };
 
 }  // namespace curvdecim
