@@ -61,23 +61,26 @@ DecimationReport decimate_edge_collapse(MeshType& mesh, const EdgeCollapseParams
   return report;
 }
 
-/// Writes to the quality of every vertex of a face the curvature that CurvatureWeighted uses, in
-/// the mesh's unit, or the factor that an edge with this curvature at one end gets. Throws
-/// InputError.
+/// Writes to the quality of every vertex of a face the curvature that CurvatureWeighted sees, in
+/// the mesh's unit, or the factor that it makes of it: with ScaleFree that of an edge with this
+/// curvature at both ends, with ModelUnits at one end and none at the other. Throws InputError.
 template <class MeshType>
 void curvature_importance(MeshType& mesh, const ImportanceParams& params) {
   validate(params);
   const Parallel parallel(0);
   const Snapshot snapshot = take_snapshot(mesh, parallel);
-  const CurvatureField field = curvature_field(snapshot.mesh, params, parallel);
-  const CurvatureWeight weight = curvature_weight(params, field.mean(), snapshot.diagonal);
+  CurvatureParams shown = params;
+  if (!params.as_factor) shown.alpha_units = AlphaUnits::ModelUnits;  // the curvature as such
+  const CurvatureField field = curvature_field(snapshot.mesh, shown, parallel);
+  const CurvatureWeight weight = curvature_weight(shown, field, snapshot.diagonal);
   const double length = snapshot.diagonal;
   const double unit =
       params.curvature_kind == CurvatureKind::Gaussian ? 1.0 / (length * length) : 1.0 / length;
   for (std::size_t v = 0; v < field.value.size(); ++v) {
     const double k = field.value[v];
     auto& quality = mesh.vert[snapshot.vertex_of[v]].Q();
-    quality = static_cast<std::decay_t<decltype(quality)>>(params.as_factor ? weight(k) : k * unit);
+    quality = static_cast<std::decay_t<decltype(quality)>>(
+        params.as_factor ? weight.factor(weight.saturation(k)) : k * unit);
   }
 }
 

@@ -14,7 +14,7 @@ enum class Metric {
 
 /// In which unit curvature enters alpha.
 enum class AlphaUnits {
-  ScaleFree,   ///< curvature is divided by its area-weighted mean over the input
+  ScaleFree,   ///< curvature is compared with the most curved fifth of the input's area
   ModelUnits,  ///< curvature in the model's own unit of length, as printed @cite pellizzoni2020
 };
 
@@ -86,8 +86,8 @@ struct DecimationParams {
 
 /// How curvature becomes a factor on the cost @cite pellizzoni2020.
 struct CurvatureParams {
-  double alpha = 0.1;            ///< <= 0: infinite, that is plain quadrics
-  double curvature_floor = 0.2;  ///< [0, 1]: factor of a flat vertex with AlphaUnits::ScaleFree
+  double alpha = 0.5;            ///< <= 0: infinite, that is plain quadrics
+  double curvature_floor = 0.3;  ///< [0, 1]: factor of a flat vertex with AlphaUnits::ScaleFree
   AlphaUnits alpha_units = AlphaUnits::ScaleFree;
   CurvatureKind curvature_kind = CurvatureKind::Absolute;
   CurvatureOf curvature_of = CurvatureOf::Input;

@@ -32,13 +32,20 @@ Shape ridge() {
                 [](const Point& p) { return Point(p.x(), p.y(), -std::abs(p.x() - 0.5)); });
 }
 
+/// Planes of the faces around v, about v.
+Symmetric3 planes_around(const WorkingMesh& mesh, int v, PlaneWeight weight) {
+  Symmetric3 sum;
+  for (int f : mesh.connectivity.faces_of(v)) sum += plane_matrix(mesh.plane[f], weight);
+  return sum;
+}
+
 // --- planes --------------------------------------------------------------------------------------
 
 TEST(PlaneQuadrics, AreWeightedByAreaOrNot) {
   const WorkingMesh mesh = working_mesh(two_triangles());
-  EXPECT_EQ(plane_matrix(mesh, 0, PlaneWeight::Area).zz, 1.0);
-  EXPECT_EQ(plane_matrix(mesh, 0, PlaneWeight::Unit).zz, 2.0);
-  EXPECT_EQ(plane_matrix(mesh, 0, PlaneWeight::Area).xx, 0.0);
+  EXPECT_EQ(planes_around(mesh, 0, PlaneWeight::Area).zz, 1.0);
+  EXPECT_EQ(planes_around(mesh, 0, PlaneWeight::Unit).zz, 2.0);
+  EXPECT_EQ(planes_around(mesh, 0, PlaneWeight::Area).xx, 0.0);
 }
 
 // --- boundary and features -----------------------------------------------------------------------
@@ -220,10 +227,58 @@ TEST(QuadricMetric, MemorylessIsOfTheCurrentMeshAndATenthOfTheInput) {
   for (Edge edge : edges_of(mesh)) {
     if (edge.b == 16 || edge.a == 16) continue;  // it also carries what was merged into it
     const Vector3 step = mesh.position[edge.a] - mesh.position[edge.b];
-    const Symmetric3 planes = plane_matrix(mesh, edge.b, PlaneWeight::Area) +
-                              plane_matrix(input, edge.b, PlaneWeight::Area) * 0.1;
+    const Symmetric3 planes = planes_around(mesh, edge.b, PlaneWeight::Area) +
+                              planes_around(input, edge.b, PlaneWeight::Area) * 0.1;
     EXPECT_NEAR(metric.evaluate(edge, Allowed::OntoA, wings_of(mesh, edge))->cost,
                 step.dot(planes * step), 1e-12);
+  }
+}
+
+/// Roots of the factors on both planes and cost: by vertex, after the collapses into `keep`.
+std::vector<double> roots_of_factors(const WorkingMesh& input, const EdgeCollapseParams& params,
+                                     int keep, const std::vector<int>& gone) {
+  CurvatureField field = curvature_field(input, params, Parallel(1));
+  const CurvatureWeight weight = curvature_weight(params, field, 1.0);
+  for (double& value : field.value) value = weight.saturation(value);
+  for (int v : gone) {
+    const double area = field.area[keep] + field.area[v];
+    field.value[keep] =
+        (field.area[keep] * field.value[keep] + field.area[v] * field.value[v]) / area;
+    field.area[keep] = area;
+  }
+  for (double& value : field.value) value = std::sqrt(weight.factor(value));
+  return field.value;
+}
+
+Symmetric3 weighted_planes(const WorkingMesh& mesh, int v, const std::vector<double>& root) {
+  Symmetric3 sum;
+  for (int f : mesh.connectivity.faces_of(v)) {
+    double corners = 0.0;
+    for (int u : mesh.connectivity.face(f)) corners += root[u];
+    sum += plane_matrix(mesh.plane[f], PlaneWeight::Area) * (corners / 3.0);
+  }
+  return sum;
+}
+
+TEST(CurvatureWeightedMetric, ScaleFreeGivesARootOfTheFactorToThePlanesAndOneToTheCost) {
+  const WorkingMesh input = working_mesh(torus(12, 8));
+  WorkingMesh mesh = input;
+  EdgeCollapseParams params = custom(Quadrics::Memoryless);
+  params.feature_angle = 180.0, params.curvature_floor = 0.1;
+  CurvatureWeightedMetric metric(mesh, params, 1.0);
+  metric.initialize(Parallel(1));
+  for (Edge edge : {Edge{16, 24}, Edge{16, 17}})
+    collapse(mesh, edge, mesh.position[edge.b] + Vector3(0.01, 0.02, 0.05), metric);
+  const std::vector<double> before = roots_of_factors(input, params, 16, {});
+  const std::vector<double> now = roots_of_factors(input, params, 16, {24, 17});
+  ASSERT_GT(std::abs(now[16] - before[16]), 1e-3);  // else nothing is seen of the merge
+  for (Edge edge : edges_of(mesh)) {
+    if (edge.b == 16 || edge.a == 16) continue;  // it also carries what was merged into it
+    const Vector3 step = mesh.position[edge.a] - mesh.position[edge.b];
+    const Symmetric3 planes =
+        weighted_planes(mesh, edge.b, now) + weighted_planes(input, edge.b, before) * 0.1;
+    EXPECT_NEAR(metric.evaluate(edge, Allowed::OntoA, wings_of(mesh, edge))->cost,
+                0.5 * (now[edge.a] + now[edge.b]) * step.dot(planes * step), 1e-12);
   }
 }
 

@@ -70,20 +70,45 @@ TEST(VertexCurvature, KindsAreAsNamed) {
 
 // --- the factor ----------------------------------------------------------------------------------
 
+CurvatureWeight step(double alpha, double floor, double unit) {
+  return {AlphaUnits::ScaleFree, alpha, floor, unit};
+}
+
+double factor(const CurvatureWeight& weight, double curvature) {
+  return weight.factor(weight.saturation(curvature));
+}
+
 TEST(CurvatureWeight, RisesFromTheFloorToOne) {
-  const CurvatureWeight weight(1.0, 0.25, 2.0);
-  EXPECT_EQ(weight(0.0), 0.25);
-  EXPECT_NEAR(weight(2.0), 0.25 + 0.75 * (1.0 - std::exp(-1.0)), 1e-15);
-  EXPECT_EQ(weight(1e6), 1.0);
+  const CurvatureWeight weight = step(1.0, 0.25, 2.0);
+  EXPECT_EQ(factor(weight, 0.0), 0.25);
+  EXPECT_NEAR(factor(weight, 2.0), 0.25 + 0.75 * (1.0 - std::exp(-1.0)), 1e-15);
+  EXPECT_NEAR(factor(weight, 4.0), 0.25 + 0.75 * (1.0 - std::exp(-4.0)), 1e-15);
+  EXPECT_EQ(factor(weight, 1e6), 1.0);
 }
 
 TEST(CurvatureWeight, IsOneForInfiniteAlphaOrAFlatMesh) {
-  for (double alpha : {0.0, -1.0}) EXPECT_EQ(CurvatureWeight(alpha, 0.0, 1.0)(3.0), 1.0);
-  EXPECT_EQ(CurvatureWeight(1.0, 0.0, 0.0)(3.0), 1.0);
+  for (AlphaUnits form : {AlphaUnits::ScaleFree, AlphaUnits::ModelUnits}) {
+    for (double alpha : {0.0, -1.0})
+      EXPECT_EQ(factor(CurvatureWeight(form, alpha, 0.0, 1.0), 3.0), 1.0);
+    EXPECT_EQ(factor(CurvatureWeight(form, 1.0, 0.0, 0.0), 3.0), 1.0);
+  }
 }
 
-TEST(CurvatureWeight, IsAccurateForTinyCurvature) {
-  EXPECT_NEAR(CurvatureWeight(1.0, 0.0, 1.0)(1e-18) / 1e-18, 1.0, 1e-12);
+TEST(CurvatureWeight, AsPrintedIsAccurateForTinyCurvature) {
+  EXPECT_NEAR(CurvatureWeight(AlphaUnits::ModelUnits, 1.0, 0.0, 1.0).saturation(1e-18) / 1e-18, 1.0,
+              1e-12);
+}
+
+TEST(CurvatureWeight, OfAnEdgeIsAsPrintedThatOfTheSumOfBothEnds) {
+  const CurvatureWeight weight(AlphaUnits::ModelUnits, 0.5, 0.0, 1.0);
+  EXPECT_NEAR(weight.of_edge(weight.saturation(1.0), weight.saturation(2.0)), 1.0 - std::exp(-1.5),
+              1e-15);
+}
+
+TEST(CurvatureWeight, OfAnEdgeIsScaleFreeTheMeanOfBothEnds) {
+  const CurvatureWeight weight = step(0.5, 0.25, 1.0);
+  EXPECT_NEAR(weight.of_edge(weight.saturation(1.0), weight.saturation(2.0)),
+              0.5 * (factor(weight, 1.0) + factor(weight, 2.0)), 1e-15);
 }
 
 TEST(CurvatureWeight, InModelUnitsIsThePapersFormula) {
@@ -91,19 +116,31 @@ TEST(CurvatureWeight, InModelUnitsIsThePapersFormula) {
   params.alpha = 0.01, params.alpha_units = AlphaUnits::ModelUnits,
   params.curvature_kind = CurvatureKind::Gaussian;
   const double diagonal = 10.0, k_model = 30.0;  // in the box of diagonal 1 that is K diagonal^2
-  EXPECT_NEAR(curvature_weight(params, 0.0, diagonal)(k_model * diagonal * diagonal),
+  EXPECT_NEAR(factor(curvature_weight(params, {}, diagonal), k_model * diagonal * diagonal),
               1.0 - std::exp(-0.01 * k_model), 1e-12);
   params.curvature_kind = CurvatureKind::Absolute;
-  EXPECT_NEAR(curvature_weight(params, 0.0, diagonal)(k_model * diagonal),
+  EXPECT_NEAR(factor(curvature_weight(params, {}, diagonal), k_model * diagonal),
               1.0 - std::exp(-0.01 * k_model), 1e-12);
 }
 
-TEST(CurvatureWeight, ScaleFreeIsRelativeToTheAreaWeightedMean) {
-  const CurvatureField field{{2.0, 6.0}, {3.0, 1.0}};
-  EXPECT_EQ(field.mean(), 3.0);
+/// What alpha and floor of the default make of the curvature k, where the field is over the mesh.
+double scale_free_factor(const CurvatureField& field, double k) {
   CurvatureParams params;
   params.alpha = 1.0, params.curvature_floor = 0.0;
-  EXPECT_NEAR(curvature_weight(params, field.mean(), 5.0)(3.0), 1.0 - std::exp(-1.0), 1e-15);
+  return factor(curvature_weight(params, field, 5.0), k);
+}
+
+TEST(CurvatureWeight, ScaleFreeIsRelativeToTheMostCurvedFifth) {
+  const CurvatureField field{{2.0, 1.0, 6.0}, {1.0, 7.0, 2.0}};
+  EXPECT_NEAR(scale_free_factor(field, 6.0), 1.0 - std::exp(-1.0), 1e-15);
+  EXPECT_NEAR(scale_free_factor(field, 3.0), 1.0 - std::exp(-0.25), 1e-15);
+}
+
+/// Else what decides on a box with round edges is rounding.
+TEST(CurvatureWeight, ScaleFreeTakesRoundingAsFlatWhereMostOfTheMeshIsFlat) {
+  const CurvatureField field{{0.0, 1e-12, 8.0}, {5.0, 4.0, 1.0}};
+  EXPECT_LT(scale_free_factor(field, 1e-12), 1e-12);
+  EXPECT_EQ(scale_free_factor(field, 8.0), 1.0);
 }
 
 }  // namespace

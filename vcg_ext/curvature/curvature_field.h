@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+#include <numeric>
 #include <vector>
 
 #include "vcg_ext/curvature/vertex_curvature.h"
@@ -8,7 +10,7 @@
 
 namespace curvdecim {
 
-/// Curvature of one kind over a mesh, in the unit of its positions.
+/// A measure of curvature over a mesh, in the unit of its positions.
 struct CurvatureField {
   std::vector<double> value, area;  // by vertex
 
@@ -18,29 +20,52 @@ struct CurvatureField {
     for (std::size_t v = 0; v < value.size(); ++v) sum += value[v] * area[v], total += area[v];
     return total > 0.0 ? sum / total : 0.0;
   }
+
+  /// The least value in the most curved part of the area, in linear time; 0 without vertices.
+  double least_of_most_curved(double part) const {
+    std::vector<int> order(value.size());
+    std::iota(order.begin(), order.end(), 0);
+    const auto below = [this](int a, int b) {
+      return value[a] == value[b] ? a < b : value[a] < value[b];
+    };
+    auto begin = order.begin(), end = order.end();
+    double left = (1.0 - part) * std::accumulate(area.begin(), area.end(), 0.0);
+    while (end - begin > 1) {
+      const auto middle = begin + (end - begin) / 2;
+      std::nth_element(begin, middle, end, below);
+      const double lower =
+          std::accumulate(begin, middle, 0.0, [this](double sum, int v) { return sum + area[v]; });
+      if (left < lower)
+        end = middle;
+      else
+        begin = middle, left -= lower;
+    }
+    return order.empty() ? 0.0 : value[*begin];
+  }
 };
 
-inline CurvatureField curvature_field(const WorkingMesh& mesh, CurvatureKind kind,
-                                      const Parallel& parallel) {
+inline CurvatureField measured_field(const WorkingMesh& mesh, const CurvatureParams& params,
+                                     const Parallel& parallel) {
   const std::size_t count = mesh.position.size();
   CurvatureField field{std::vector<double>(count), std::vector<double>(count)};
   parallel.for_each(static_cast<int>(count), [&](int v) {
     const VertexCurvature curvature = vertex_curvature(mesh, v);
-    field.value[v] = curvature.of_kind(kind), field.area[v] = curvature.area;
+    field.value[v] = curvature.measure(params), field.area[v] = curvature.area;
   });
   return field;
 }
 
 /// Each vertex gets the mean of its own value and its neighbours', which count by the faces that
-/// they share with it: the curvature of single vertices is mostly noise. Only inner vertices count,
-/// where there are any: on a boundary the angles tell how the boundary turns, not the surface.
-inline void average_over_rings(const WorkingMesh& mesh, CurvatureField& field,
-                               const Parallel& parallel) {
+/// they share with it: the curvature of single vertices is mostly noise. counts(u): whether u does;
+/// where none does, the value stays.
+template <class Counts>
+void average_over_rings(const WorkingMesh& mesh, CurvatureField& field, const Parallel& parallel,
+                        Counts counts) {
   const std::vector<double> value = field.value;
   parallel.for_each(static_cast<int>(value.size()), [&](int v) {
     double sum = 0.0, weight = 0.0;
     const auto add = [&](int u, double part) {
-      if (mesh.kind[u] == VertexKind::Interior) sum += part * value[u], weight += part;
+      if (counts(u)) sum += part * value[u], weight += part;
     };
     add(v, 1.0);
     for (int f : mesh.connectivity.faces_of(v))
@@ -50,11 +75,15 @@ inline void average_over_rings(const WorkingMesh& mesh, CurvatureField& field,
   });
 }
 
-/// What the parameters make of the mesh as it is.
+/// What the parameters make of the mesh as it is. As printed, the angles on a boundary tell how the
+/// boundary turns, not the surface: there only inner vertices count in the average.
 inline CurvatureField curvature_field(const WorkingMesh& mesh, const CurvatureParams& params,
                                       const Parallel& parallel) {
-  CurvatureField field = curvature_field(mesh, params.curvature_kind, parallel);
-  if (params.curvature_of == CurvatureOf::Input) average_over_rings(mesh, field, parallel);
+  CurvatureField field = measured_field(mesh, params, parallel);
+  if (params.curvature_of == CurvatureOf::Current) return field;
+  const bool all = params.alpha_units == AlphaUnits::ScaleFree;
+  average_over_rings(mesh, field, parallel,
+                     [&](int u) { return all || mesh.kind[u] == VertexKind::Interior; });
   return field;
 }
 

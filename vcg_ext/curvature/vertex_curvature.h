@@ -14,6 +14,7 @@ struct VertexCurvature {
   double gaussian = 0.0;  ///< angle defect / area, 1/length^2, by Gauss-Bonnet @cite pellizzoni2020
   double mean = 0.0;      ///< area gradient along the normal / (2 area), 1/length @cite meyer2003
   double area = 0.0;      ///< a third of the faces around, length^2
+  double missing = 0.0;   ///< angle missing from a full turn / area: gaussian, and where it ends
 
   /// |k1| + |k2| of the principal curvatures mean +- sqrt(mean^2 - gaussian), 1/length.
   double absolute() const {
@@ -22,6 +23,21 @@ struct VertexCurvature {
 
   double of_kind(CurvatureKind kind) const {
     return kind == CurvatureKind::Gaussian ? std::abs(gaussian) : absolute();
+  }
+
+  /// The same, 1/length^2, as |K|, which is also the angle that the border of an open surface
+  /// leaves out. Absolute adds a little of (|k1| + |k2|)^2: cylinders and ridges come between what
+  /// is flat and what is curved both ways.
+  double density(CurvatureKind kind) const {
+    constexpr double ridges = 0.03;  // a cylinder counts about a fortieth of a sphere
+    const double k = absolute();
+    return std::abs(missing) + (kind == CurvatureKind::Gaussian ? 0.0 : ridges * k * k);
+  }
+
+  /// What the weight is a function of.
+  double measure(const CurvatureParams& params) const {
+    return params.alpha_units == AlphaUnits::ScaleFree ? density(params.curvature_kind)
+                                                       : of_kind(params.curvature_kind);
   }
 };
 
@@ -55,7 +71,8 @@ struct CurvatureSums {
     const double length = normal.norm();
     if (!(area > 0.0) || !(length > 0.0)) return {};
     const double full = kind == VertexKind::Boundary ? M_PI : 2.0 * M_PI;
-    return {(full - angles) / area, gradient.dot(normal) / (2.0 * area * length), area};
+    return {(full - angles) / area, gradient.dot(normal) / (2.0 * area * length), area,
+            (2.0 * M_PI - angles) / area};
   }
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -13,7 +14,9 @@ namespace curvdecim {
 
 /// Quadric error times a factor that grows with the curvature at both ends @cite pellizzoni2020,
 /// equation 8. The curvature is that of the current mesh, as in the paper, or that of the input,
-/// which a merged vertex has by area from the two it came from.
+/// which a merged vertex has by area from the two it came from. With the input's, ScaleFree gives
+/// one root of the factor to the planes, so that vertices are drawn to curved places too, and the
+/// other to the cost.
 class CurvatureWeightedMetric {
  public:
   /// diagonal: of the input in its own unit.
@@ -22,35 +25,37 @@ class CurvatureWeightedMetric {
       : mesh_(mesh), params_(params), diagonal_(diagonal), quadric_(mesh, params), current_(mesh) {}
 
   void initialize(const Parallel& parallel) {
-    quadric_.initialize(parallel);
     CurvatureField field = curvature_field(mesh_, params_, parallel);
-    weight_ = curvature_weight(params_, field.mean(), diagonal_);
+    weight_ = curvature_weight(params_, field, diagonal_);
     saturation_ = std::move(field.value), area_ = std::move(field.area);
     parallel.for_each(static_cast<int>(saturation_.size()),
                       [&](int v) { saturation_[v] = weight_.saturation(saturation_[v]); });
+    quadric_.initialize(parallel, weighs_planes() ? roots(parallel) : std::vector<double>());
     if (follows_current()) current_.initialize(parallel);
   }
 
   std::optional<Candidate> evaluate(Edge edge, Allowed allowed, const Vector3& wings) const {
     std::optional<Candidate> candidate = quadric_.evaluate(edge, allowed, wings);
-    if (candidate) candidate->cost *= weight_.of_edge(saturation_[edge.a], saturation_[edge.b]);
+    if (candidate) candidate->cost *= factor(edge);
     return candidate;
   }
 
   void estimate(int v, const std::vector<int>& others, std::vector<double>& costs) const {
     quadric_.estimate(v, others, costs);
-    for (std::size_t i = 0; i < others.size(); ++i)
-      costs[i] *= weight_.of_edge(saturation_[v], saturation_[others[i]]);
+    for (std::size_t i = 0; i < others.size(); ++i) costs[i] *= factor({v, others[i]});
   }
 
   void release(const EdgeNeighborhood& around, const std::vector<FacePlane>& after) {
-    quadric_.release(around, after);
+    const auto [a, b] = around.edge();
+    quadric_.release(around, after, weighs_planes() ? root(averaged(a, b)) : 1.0);
     if (follows_current()) current_.release(around);
   }
 
   void merge(const Collapse& collapse, const EdgeNeighborhood& around, VertexRing& ring) {
+    if (!follows_current()) average(collapse.keep, collapse.gone);
+    if (weighs_planes()) quadric_.set_factor(collapse.keep, root(saturation_[collapse.keep]));
     quadric_.merge(collapse, around, ring);
-    if (!follows_current()) return average(collapse.keep, collapse.gone);
+    if (!follows_current()) return;
     current_.merge(collapse.keep, around);
     update(collapse.keep);
     gather_ring(mesh_, collapse.keep, ring);
@@ -65,16 +70,37 @@ class CurvatureWeightedMetric {
  private:
   bool follows_current() const { return params_.curvature_of == CurvatureOf::Current; }
 
-  void update(int v) {
-    saturation_[v] = weight_.saturation(current_.at(v).of_kind(params_.curvature_kind));
+  /// Not where the curvature changes away from the collapse.
+  bool weighs_planes() const {
+    return params_.alpha_units == AlphaUnits::ScaleFree && !follows_current();
   }
 
-  /// Of the input's area that has gone into each.
-  void average(int keep, int gone) {
+  double factor(Edge edge) const {
+    if (weighs_planes()) return 0.5 * (quadric_.factor(edge.a) + quadric_.factor(edge.b));
+    return weight_.of_edge(saturation_[edge.a], saturation_[edge.b]);
+  }
+
+  double root(double saturation) const { return std::sqrt(weight_.factor(saturation)); }
+
+  std::vector<double> roots(const Parallel& parallel) const {
+    std::vector<double> roots(saturation_.size());
+    parallel.for_each(static_cast<int>(roots.size()),
+                      [&](int v) { roots[v] = root(saturation_[v]); });
+    return roots;
+  }
+
+  void update(int v) { saturation_[v] = weight_.saturation(current_.at(v).measure(params_)); }
+
+  /// By the input's area that has gone into each.
+  double averaged(int keep, int gone) const {
     const double area = area_[keep] + area_[gone];
-    if (area > 0.0)
-      saturation_[keep] += area_[gone] / area * (saturation_[gone] - saturation_[keep]);
-    area_[keep] = area;
+    if (!(area > 0.0)) return saturation_[keep];
+    return saturation_[keep] + area_[gone] / area * (saturation_[gone] - saturation_[keep]);
+  }
+
+  void average(int keep, int gone) {
+    saturation_[keep] = averaged(keep, gone);
+    area_[keep] += area_[gone];
   }
 
   const WorkingMesh& mesh_;

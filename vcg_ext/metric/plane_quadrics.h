@@ -12,14 +12,6 @@ inline Symmetric3 plane_matrix(const FacePlane& plane, PlaneWeight weight) {
   return Symmetric3::outer(plane.normal, weight == PlaneWeight::Area ? plane.area : 1.0);
 }
 
-/// Planes of the faces around v, about v: they all pass through it, so that only the matrix is
-/// left.
-inline Symmetric3 plane_matrix(const WorkingMesh& mesh, int v, PlaneWeight weight) {
-  Symmetric3 sum;
-  for (int f : mesh.connectivity.faces_of(v)) sum += plane_matrix(mesh.plane[f], weight);
-  return sum;
-}
-
 /// Sum of the area vectors of the faces around v: how the volume below the faces grows with v.
 inline Vector3 volume_gradient(const WorkingMesh& mesh, int v) {
   Vector3 sum = Vector3::Zero();

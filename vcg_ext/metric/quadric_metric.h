@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "vcg_ext/mesh/vertex_ring.h"
@@ -23,15 +24,17 @@ class QuadricMetric {
   QuadricMetric(const WorkingMesh& mesh, const EdgeCollapseParams& params)
       : mesh_(mesh), params_(params), memoryless_(params.quadrics == Quadrics::Memoryless) {}
 
-  void initialize(const Parallel& parallel) {
+  /// factors: by vertex, on the weight of planes; a face has the mean of its corners'. None: 1.
+  void initialize(const Parallel& parallel, std::vector<double> factors = {}) {
+    factor_ = std::move(factors);
     const std::vector<Symmetric3> constraints =
         ConstraintQuadrics(mesh_, params_, params_.plane_weight).build(parallel);
     sum_.resize(mesh_.position.size());
     memory_.resize(memoryless_ ? sum_.size() : 0);
     parallel.for_each(static_cast<int>(sum_.size()), [&](int v) {
       Symmetric3& carried = memoryless_ ? memory_[v] : sum_[v].quadric.a;
-      carried = plane_matrix(mesh_, v, params_.plane_weight);
-      if (!constraints.empty()) carried += constraints[v];
+      carried = matrix_around(v);
+      if (!constraints.empty()) carried += constraints[v] * factor(v);
       if (memoryless_) carried = carried * memory;
       if (memoryless_) recompute(v);
     });
@@ -51,6 +54,11 @@ class QuadricMetric {
     return Candidate{cost, a + (half + placed.offset), placed.t};
   }
 
+  double factor(int v) const { return factor_.empty() ? 1.0 : factor_[v]; }
+
+  /// Between release and merge only: the faces around v are counted anew then.
+  void set_factor(int v, double factor) { factor_[v] = factor; }
+
   /// Costs of the edges from v to the others, each of which may collapse to anywhere; without the
   /// volume, which moves a vertex along more than it lifts it.
   void estimate(int v, const std::vector<int>& others, std::vector<double>& costs) const {
@@ -69,18 +77,18 @@ class QuadricMetric {
   }
 
   /// Before a collapse: the vertices around the edge's ends lose the wings and see the star as it
-  /// will be.
-  void release(const EdgeNeighborhood& around, const std::vector<FacePlane>& after) {
+  /// will be. merged_factor: of the vertex that it leaves.
+  void release(const EdgeNeighborhood& around, const std::vector<FacePlane>& after,
+               double merged_factor = 1.0) {
     if (!memoryless_) return;
-    for (int f : around.wings()) {
-      const FacePlane& plane = mesh_.plane[f];
-      add_to_ring(f, around.edge(), matrix(plane) * -1.0, -plane.area_vector());
-    }
+    for (int f : around.wings())
+      add_to_ring(f, around.edge(), matrix(f) * -1.0, -mesh_.plane[f].area_vector());
     for (std::size_t i = 0; i < after.size(); ++i) {
       const int f = around.star()[i];
-      const FacePlane& before = mesh_.plane[f];
-      add_to_ring(f, around.edge(), matrix(after[i]) - matrix(before),
-                  after[i].area_vector() - before.area_vector());
+      const double factor = factor_after(f, around.edge(), merged_factor);
+      add_to_ring(f, around.edge(),
+                  plane_matrix(after[i], params_.plane_weight) * factor - matrix(f),
+                  after[i].area_vector() - mesh_.plane[f].area_vector());
     }
   }
 
@@ -98,8 +106,11 @@ class QuadricMetric {
     memory_[keep] = sum_[keep].quadric.a;
     bool doubled = false;  // faces that fell onto others are gone again
     for (int f : around.star()) {
-      doubled |= !mesh_.connectivity.alive(f);
-      sum_[keep].quadric.a += matrix(mesh_.plane[f]);
+      if (!mesh_.connectivity.alive(f)) {
+        doubled = true;
+        continue;
+      }
+      sum_[keep].quadric.a += matrix(f);
       sum_[keep].gradient += mesh_.plane[f].area_vector();
     }
     if (mesh_.kind[keep] == VertexKind::Interior && !doubled) return;
@@ -109,7 +120,10 @@ class QuadricMetric {
       if (doubled || mesh_.kind[u.vertex] == VertexKind::Boundary) recompute(u.vertex);
   }
 
-  void renumber(const Renumbering& numbers) { numbers.vertices(sum_), numbers.vertices(memory_); }
+  void renumber(const Renumbering& numbers) {
+    numbers.vertices(sum_), numbers.vertices(memory_);
+    if (!factor_.empty()) numbers.vertices(factor_);
+  }
 
  private:
   void estimate_one_by_one(int v, const std::vector<int>& others,
@@ -132,8 +146,19 @@ class QuadricMetric {
     Vector3 gradient = Vector3::Zero();  // memoryless: volume_gradient
   };
 
-  Symmetric3 matrix(const FacePlane& plane) const {
-    return plane_matrix(plane, params_.plane_weight);
+  /// Of the plane of face f, about any of its corners.
+  Symmetric3 matrix(int f) const {
+    const Symmetric3 plane = plane_matrix(mesh_.plane[f], params_.plane_weight);
+    return factor_.empty() ? plane : plane * factor_after(f, no_edge, 0.0);
+  }
+
+  /// The mean of the factors of face f's corners, if the edge's ends became one vertex.
+  double factor_after(int f, Edge edge, double merged_factor) const {
+    if (factor_.empty()) return 1.0;
+    double sum = 0.0;
+    for (int v : mesh_.connectivity.face(f))
+      sum += v == edge.a || v == edge.b ? merged_factor : factor_[v];
+    return sum / 3.0;
   }
 
   /// To the sums of the corners that are not on the edge.
@@ -145,12 +170,18 @@ class QuadricMetric {
     }
   }
 
+  Symmetric3 matrix_around(int v) const {
+    Symmetric3 sum;
+    for (int f : mesh_.connectivity.faces_of(v)) sum += matrix(f);
+    return sum;
+  }
+
   /// All current planes pass through the vertex, so that they add to the matrix only.
   Quadric remembered(int v) const { return {memory_[v], sum_[v].quadric.b, sum_[v].quadric.c}; }
 
   void recompute(int v) {
     Symmetric3& sum = sum_[v].quadric.a;
-    sum = memory_[v] + plane_matrix(mesh_, v, params_.plane_weight);
+    sum = memory_[v] + matrix_around(v);
     if (mesh_.kind[v] == VertexKind::Boundary)
       sum += boundary_matrix(mesh_, v, params_.plane_weight) * params_.boundary_weight;
     sum_[v].gradient = volume_gradient(mesh_, v);
@@ -172,6 +203,7 @@ class QuadricMetric {
   const bool memoryless_;
   std::vector<Sum> sum_;            // by vertex
   std::vector<Symmetric3> memory_;  // by vertex, memoryless: of the input's planes it has met
+  std::vector<double> factor_;      // by vertex, or empty: on the weight of planes
 };
 
 }  // namespace curvdecim
