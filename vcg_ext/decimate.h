@@ -3,15 +3,38 @@
 
 #include <chrono>
 #include <optional>
+#include <vector>
 
 #include "vcg_ext/dispatch.h"
 #include "vcg_ext/mesh/attribute_notes.h"
 #include "vcg_ext/mesh/decimation_setup.h"
 #include "vcg_ext/mesh/write_back.h"
 #include "vcg_ext/operators/edge_collapse.h"
+#include "vcg_ext/refine/refinement.h"
 #include "vcg_ext/validation.h"
 
 namespace curvdecim {
+
+/// Only moves that keep what was asked for: with MaxError no bound is known for a vertex that moves
+/// on its own, with HalfEdge no vertex moves at all.
+inline bool may_refine(const EdgeCollapseParams& params) {
+  return params.refine_sweeps > 0 && params.max_error == 0.0 &&
+         params.placement != Placement::HalfEdge;
+}
+
+/// The vertices that the refinement moved, with where on the input they take their attributes from.
+inline std::vector<BlendStep> refine(WorkingMesh& mesh, const InputSurface& input,
+                                     const EdgeCollapseParams& params,
+                                     std::optional<WedgeTexture>& wedges, const Parallel& parallel,
+                                     ProgressMeter& progress) {
+  const Renumbering without_gaps(mesh.connectivity);
+  mesh.renumber(without_gaps);
+  if (wedges) wedges->renumber(without_gaps);
+  if (mesh.connectivity.face_count() == 0) return {};  // without the link condition all may go
+  Refinement refinement(mesh, input, params, wedges ? &*wedges : nullptr, parallel);
+  refinement.run(params.refine_sweeps, progress);
+  return refinement.attributes();
+}
 
 /// The run itself; the mesh changes at its end only. Throws InputError and CancelRequest.
 template <class MeshType>
@@ -25,14 +48,18 @@ void run_edge_collapse(MeshType& mesh, EdgeCollapseParams params, ProgressMeter&
   BlendRecord blend(has_varying_attributes(mesh, snapshot));
   std::optional<WedgeTexture> wedges = read_wedges(mesh, snapshot);
   note_attributes(mesh, snapshot, wedges, report);
+  std::optional<InputSurface> input;
+  if (may_refine(params)) input = input_surface(snapshot.mesh, params, snapshot.diagonal, parallel);
   with_metric(snapshot.mesh, params, snapshot.diagonal, [&](auto metric) {
     EdgeCollapse operation(snapshot.mesh, metric, params, params.scheduler, *stop);
     operation.add_observer(blend);
     if (wedges) operation.add_observer(*wedges);
     operation.run(parallel, progress, report);
   });
+  std::vector<BlendStep> refined;
+  if (input) refined = refine(snapshot.mesh, *input, params, wedges, parallel, progress);
   report.max_error *= snapshot.diagonal;
-  WriteBack<MeshType>(mesh, snapshot).run(blend.steps(), wedges);
+  WriteBack<MeshType>(mesh, snapshot).run(blend.steps(), refined, wedges);
 }
 
 /// Decimates a vcg triangle mesh by edge collapse, in place.

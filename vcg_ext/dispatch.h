@@ -20,15 +20,17 @@ void with_metric(const WorkingMesh& mesh, const EdgeCollapseParams& params, doub
   }
 }
 
+/// Two more take off half a per cent of the error.
+inline constexpr int best_refine_sweeps = 4;
+
 /// The named settings; Custom leaves all as it is.
 inline EdgeCollapseParams with_preset(EdgeCollapseParams params) {
   if (params.preset == Preset::Custom) return params;
   params.quadrics = Quadrics::Memoryless;
   params.plane_weight = PlaneWeight::Area;
   params.placement = Placement::Optimal;
-  params.scheduler = params.preset == Preset::Best   ? Scheduler::Eager
-                     : params.preset == Preset::Fast ? Scheduler::FewRounds
-                                                     : Scheduler::Rounds;
+  params.scheduler = params.preset == Preset::Fast ? Scheduler::FewRounds : Scheduler::Rounds;
+  params.refine_sweeps = params.preset == Preset::Best ? best_refine_sweeps : 0;
   return params;
 }
 

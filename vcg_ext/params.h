@@ -61,7 +61,8 @@ enum class Scheduler {
   FewRounds,  ///< as Rounds, with more collapses a round: faster, further from the greedy order
 };
 
-/// Speed against quality: a named setting of quadrics, plane_weight, placement and scheduler.
+/// Speed against quality: a named setting of quadrics, plane_weight, placement, scheduler and
+/// refine_sweeps.
 enum class Preset { Fast, Balanced, Best, Custom };
 
 /// What every decimation shares. Lengths are in the mesh's unit, angles in degrees.
@@ -102,6 +103,8 @@ struct EdgeCollapseParams : DecimationParams, CurvatureParams {
   PlaneWeight plane_weight = PlaneWeight::Area;
   Placement placement = Placement::Optimal;
   Scheduler scheduler = Scheduler::Rounds;
+  int refine_sweeps = 0;  ///< >= 0: fits of the vertices and flips of edges after the collapses;
+                          ///< none with max_error or HalfEdge
 };
 
 /// What the Curvature Importance filter shows.

@@ -46,6 +46,7 @@ inline void validate(const EdgeCollapseParams& params) {
   validate(static_cast<const DecimationParams&>(params));
   validate(static_cast<const CurvatureParams&>(params));
   require_at_least("Lambda", params.lambda, 0.0);
+  require_at_least("RefineSweeps", params.refine_sweeps, 0);
 }
 
 }  // namespace curvdecim

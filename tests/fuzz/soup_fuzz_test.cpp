@@ -89,6 +89,7 @@ EdgeCollapseParams random_params(Dice& dice) {
   p.preserve_normal = dice.coin();
   p.preserve_boundary = dice.coin();
   p.threads = dice.any({1, 2});
+  p.refine_sweeps = dice.any({0, 3});
   return p;
 }
 

@@ -139,6 +139,7 @@ TEST(ParameterTable, ValuesReachTheirMemberOnly) {
   EXPECT_EQ(with(collapse, "FeatureAngle", 7.0).edge_collapse.feature_angle, 7.0);
   EXPECT_EQ(with(collapse, "Lambda", 0.7).edge_collapse.lambda, 0.7);
   EXPECT_EQ(with(collapse, "Threads", 7).edge_collapse.threads, 7);
+  EXPECT_EQ(with(collapse, "RefineSweeps", 7).edge_collapse.refine_sweeps, 7);
   EXPECT_FALSE(with(collapse, "PreserveBoundary", false).edge_collapse.preserve_boundary);
   EXPECT_FALSE(with(collapse, "PreserveNormal", false).edge_collapse.preserve_normal);
   EXPECT_FALSE(with(collapse, "PreserveTopology", false).edge_collapse.preserve_topology);

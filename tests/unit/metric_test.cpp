@@ -378,7 +378,8 @@ TEST(Preset, SetsWhatItNamesAndLeavesTheMetric) {
   EXPECT_EQ(with_preset(params).scheduler, Scheduler::FewRounds);
   params.preset = Preset::Best;
   EXPECT_EQ(with_preset(params).quadrics, Quadrics::Memoryless);
-  EXPECT_EQ(with_preset(params).scheduler, Scheduler::Eager);
+  EXPECT_EQ(with_preset(params).scheduler, Scheduler::Rounds);
+  EXPECT_GT(with_preset(params).refine_sweeps, 0);
 }
 
 }  // namespace

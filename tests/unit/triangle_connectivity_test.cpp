@@ -87,6 +87,18 @@ TEST(TriangleConnectivity, CollapseKeepsTheOrientation) {
   expect_consistent(grid);
 }
 
+TEST(TriangleConnectivity, FlipTakesTheOtherDiagonalAndKeepsTheOrientation) {
+  TriangleConnectivity square = connectivity_of(two_triangles());
+  const Shape shape = two_triangles();
+  ASSERT_TRUE(square.has_edge(0, 2));
+  const bool first_runs_along = square.face(0)[(square.corner(0, 0) + 1) % 3] == 2;
+  square.flip(0, 1, first_runs_along ? 0 : 2, first_runs_along ? 2 : 0);
+  EXPECT_FALSE(square.has_edge(0, 2));
+  EXPECT_TRUE(square.has_edge(1, 3));
+  for (int f : {0, 1}) EXPECT_GT(double_area(shape, square.face(f)).z(), 0.0);
+  expect_consistent(square);
+}
+
 TEST(TriangleConnectivity, SurvivesAVertexThatSwallowsAllOthers) {
   TriangleConnectivity grid = connectivity_of(plane_grid(20));
   for (int v = 1; v < grid.vertex_slots() && grid.face_count() > 0; ++v) {

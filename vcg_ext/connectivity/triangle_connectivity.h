@@ -136,6 +136,16 @@ class TriangleConnectivity {
     return removed;
   }
 
+  /// Edge flip: the faces f = (a, b, c) and g = (b, a, d) become (a, d, c) and (b, c, d).
+  void flip(int f, int g, int a, int b) {
+    const int c = third_vertex(f, a, b), d = third_vertex(g, a, b);
+    faces_[f][corner(f, b)] = d;
+    faces_[g][corner(g, a)] = c;
+    erase(lists_[b], f), erase(lists_[a], g);
+    reserve(lists_[d], lists_[d].size + 1), append(lists_[d], f);
+    reserve(lists_[c], lists_[c].size + 1), append(lists_[c], g);
+  }
+
   /// So that the collapse of the edge moves no list but its own two.
   void make_room(int a, int b) {
     List& roomier = lists_[a].capacity < lists_[b].capacity ? lists_[b] : lists_[a];

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 #include "vcg_ext/geometry/triangle.h"
 
@@ -27,19 +28,24 @@ inline Barycentric closest_on_edge(const Triangle& t, int i, const Vector3& p) {
 }
 
 /// Barycentric coordinates of the point of the triangle nearest to p; any triangle, also one
-/// without area.
+/// without area. From outside, the nearest point lies on an edge that p is beyond.
 inline Barycentric closest_point(const Triangle& t, const Vector3& p) {
   const Vector3 normal = (t[1] - t[0]).cross(t[2] - t[0]);
   const double scale = normal.squaredNorm();
+  Barycentric inside = {-1.0, -1.0, -1.0};
   if (scale > 0.0) {
-    const double w1 = (p - t[0]).cross(t[2] - t[0]).dot(normal) / scale;
-    const double w2 = (t[1] - t[0]).cross(p - t[0]).dot(normal) / scale;
-    if (w1 >= 0.0 && w2 >= 0.0 && w1 + w2 <= 1.0) return {1.0 - w1 - w2, w1, w2};
+    inside[1] = (p - t[0]).cross(t[2] - t[0]).dot(normal) / scale;
+    inside[2] = (t[1] - t[0]).cross(p - t[0]).dot(normal) / scale;
+    inside[0] = 1.0 - inside[1] - inside[2];
+    if (inside[0] >= 0.0 && inside[1] >= 0.0 && inside[2] >= 0.0) return inside;
   }
-  Barycentric best = closest_on_edge(t, 0, p);
-  for (int i = 1; i < 3; ++i) {
+  Barycentric best{};
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 3; ++i) {
+    if (inside[(i + 2) % 3] >= 0.0) continue;
     const Barycentric w = closest_on_edge(t, i, p);
-    if ((at(t, w) - p).squaredNorm() < (at(t, best) - p).squaredNorm()) best = w;
+    const double distance2 = (at(t, w) - p).squaredNorm();
+    if (distance2 < least) best = w, least = distance2;
   }
   return best;
 }

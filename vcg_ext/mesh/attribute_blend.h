@@ -79,23 +79,34 @@ bool is_finite(const Vector& value) {
   return value.allFinite();
 }
 
-/// Replays the record on one attribute. Value: a vector space over double. A value that is not
-/// finite does not spread: the other corners stand in for it, and if there are none, `keep` keeps
-/// its own.
+/// The step's weighted sum of `from`; `otherwise` where no corner counts. A value that is not
+/// finite does not spread: the other corners stand in for it.
+template <class Value>
+Value blended(const BlendStep& step, const std::vector<Value>& from, const Value& otherwise) {
+  Value sum = otherwise;
+  double weights = 0.0;
+  for (int i = 0; i < 3; ++i) {
+    if (step.weight[i] == 0.0 || !is_finite(from[step.from[i]])) continue;
+    sum = weights == 0.0 ? Value(step.weight[i] * from[step.from[i]])
+                         : Value(sum + step.weight[i] * from[step.from[i]]);
+    weights += step.weight[i];
+  }
+  if (!(weights > 0.0)) return otherwise;
+  return weights == 1.0 ? sum : Value(sum / weights);
+}
+
+/// Replays the record on one attribute. Value: a vector space over double.
 template <class Value>
 void replay(const std::vector<BlendStep>& steps, std::vector<Value>& values) {
-  for (const BlendStep& step : steps) {
-    if (step.keep == BlendStep::none) continue;
-    Value sum = values[step.keep];
-    double weights = 0.0;
-    for (int i = 0; i < 3; ++i) {
-      if (step.weight[i] == 0.0 || !is_finite(values[step.from[i]])) continue;
-      sum = weights == 0.0 ? Value(step.weight[i] * values[step.from[i]])
-                           : Value(sum + step.weight[i] * values[step.from[i]]);
-      weights += step.weight[i];
-    }
-    if (weights > 0.0) values[step.keep] = weights == 1.0 ? sum : Value(sum / weights);
-  }
+  for (const BlendStep& step : steps)
+    if (step.keep != BlendStep::none) values[step.keep] = blended(step, values, values[step.keep]);
+}
+
+/// What a step takes, it takes from the input, and no other step sees it.
+template <class Value>
+void resample(const std::vector<BlendStep>& steps, const std::vector<Value>& input,
+              std::vector<Value>& values) {
+  for (const BlendStep& step : steps) values[step.keep] = blended(step, input, values[step.keep]);
 }
 
 }  // namespace curvdecim

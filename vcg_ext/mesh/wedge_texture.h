@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "vcg_ext/geometry/closest_point.h"
@@ -42,7 +44,50 @@ class WedgeTexture : public CollapseObserver {
 
   const FaceWedges& of_face(int f) const { return wedges_[f]; }
 
+  // --- refinement, once the collapses are done ---------------------------------------------------
+
+  /// True if a vertex has different coordinates in different faces.
+  bool on_seam(const WorkingMesh& mesh, int v) const {
+    const auto faces = mesh.connectivity.faces_of(v);
+    const auto differs = [&](int f) {
+      return !(corner(mesh, f, v) == corner(mesh, *faces.begin(), v));
+    };
+    return std::any_of(faces.begin(), faces.end(), differs);
+  }
+
+  /// True if two faces do not agree about an end of their edge.
+  bool is_seam(const WorkingMesh& mesh, int f, int g, int a, int b) const {
+    return !(corner(mesh, f, a) == corner(mesh, g, a)) ||
+           !(corner(mesh, f, b) == corner(mesh, g, b));
+  }
+
+  /// Before TriangleConnectivity::flip of an edge that is no seam.
+  void flip(const WorkingMesh& mesh, int f, int g, int a, int b) {
+    const int c = mesh.connectivity.third_vertex(f, a, b);
+    const int d = mesh.connectivity.third_vertex(g, a, b);
+    const WedgeCoordinate at_c = corner(mesh, f, c), at_d = corner(mesh, g, d);
+    wedges_[f][mesh.connectivity.corner(f, b)] = at_d;
+    wedges_[g][mesh.connectivity.corner(g, a)] = at_c;
+  }
+
+  /// Before vertices that are on no seam go from the mesh's positions to others.
+  void move(const WorkingMesh& mesh, const std::vector<Vector3>& now) {
+    std::vector<std::pair<int, WedgeCoordinate>> moved;
+    for (int v = 0; v < mesh.connectivity.vertex_slots(); ++v) {
+      if (now[v] == mesh.position[v]) continue;
+      const auto faces = mesh.connectivity.faces_of(v);
+      moved.push_back({v, nearest(mesh, {{}, {faces.begin(), faces.end()}}, now[v])});
+    }
+    for (const auto& [v, coordinate] : moved)
+      for (int f : mesh.connectivity.faces_of(v))
+        wedges_[f][mesh.connectivity.corner(f, v)] = coordinate;
+  }
+
  private:
+  const WedgeCoordinate& corner(const WorkingMesh& mesh, int f, int v) const {
+    return wedges_[f][mesh.connectivity.corner(f, v)];
+  }
+
   struct Corner {
     int vertex;
     WedgeCoordinate at;

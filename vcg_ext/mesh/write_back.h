@@ -22,9 +22,11 @@ class WriteBack {
   WriteBack(MeshType& mesh, const Snapshot& snapshot)
       : mesh_(mesh), snapshot_(snapshot), moved_(snapshot.mesh.position.size(), false) {}
 
-  /// wedges: where the mesh has wedge texture coordinates.
-  void run(const std::vector<BlendStep>& steps, const std::optional<WedgeTexture>& wedges) {
-    blend_attributes(steps);
+  /// resampled: vertices that take their attributes from the input, after all other steps. wedges:
+  /// where the mesh has wedge texture coordinates.
+  void run(const std::vector<BlendStep>& steps, const std::vector<BlendStep>& resampled,
+           const std::optional<WedgeTexture>& wedges) {
+    blend_attributes({steps, resampled});
     if (wedges) write_wedges(*wedges);
     move_vertices();
     const std::vector<bool> used_before = used_vertices();
@@ -128,21 +130,29 @@ class WriteBack {
 
   // --- attributes: double while they are blended, so that rounding does not add up ---------------
 
+  struct Steps {
+    const std::vector<BlendStep>& blended;
+    const std::vector<BlendStep>& resampled;
+  };
+
   /// read(vertex) -> Value, write(vertex, Value).
   template <class Value, class Read, class Write>
-  void blend(const std::vector<BlendStep>& steps, Read read, Write write) {
+  void blend(const Steps& steps, Read read, Write write) {
     std::vector<Value> values(snapshot_.vertex_of.size());
     for (std::size_t v = 0; v < values.size(); ++v)
       values[v] = read(start_vertex(static_cast<int>(v)));
-    replay(steps, values);
+    const std::vector<Value> input = steps.resampled.empty() ? std::vector<Value>() : values;
+    replay(steps.blended, values);
+    resample(steps.resampled, input, values);
     std::vector<bool> changed(values.size(), false);
-    for (const BlendStep& step : steps)
-      if (step.keep != BlendStep::none) changed[step.keep] = true;
+    for (const auto* of : {&steps.blended, &steps.resampled})
+      for (const BlendStep& step : *of)
+        if (step.keep != BlendStep::none) changed[step.keep] = true;
     for (std::size_t v = 0; v < values.size(); ++v)
       if (changed[v]) write(start_vertex(static_cast<int>(v)), values[v]);
   }
 
-  void blend_attributes(const std::vector<BlendStep>& steps) {
+  void blend_attributes(const Steps& steps) {
     if (vcg::tri::HasPerVertexQuality(mesh_))
       blend<double>(
           steps, [](const Vertex& v) { return double(v.cQ()); },

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The parts of the refinement, each on its own.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/drawn_meshes.h"
+#include "support/working_mesh.h"
+#include "vcg_ext/refine/refinement.h"
+
+namespace curvdecim::test {
+namespace {
+
+const Parallel one_thread(1);
+
+EdgeCollapseParams plain_quadrics() {
+  EdgeCollapseParams params;
+  params.metric = Metric::Quadric;
+  return params;
+}
+
+InputSurface surface_of(const Shape& shape) {
+  return input_surface(working_mesh(shape), plain_quadrics(), 1.0, one_thread);
+}
+
+WorkingMesh refined(const Shape& input, const Shape& mesh, int sweeps) {
+  WorkingMesh result = working_mesh(mesh);
+  const InputSurface surface = surface_of(input);
+  ProgressMeter progress({});
+  Refinement(result, surface, plain_quadrics(), nullptr, one_thread).run(sweeps, progress);
+  return result;
+}
+
+Shape in_box(const Shape& shape) { return scaled(shape, 0.25); }
+
+// --- samples -------------------------------------------------------------------------------------
+
+TEST(SpreadOverTriangle, GivesPartsOfOneSize) {
+  for (int cuts : {1, 2, 3, 8}) {
+    std::vector<Barycentric> points;
+    spread_over_triangle(cuts, points);
+    ASSERT_EQ(points.size(), static_cast<std::size_t>(cuts * cuts));
+    Barycentric sum{};
+    for (const Barycentric& w : points)
+      for (int i = 0; i < 3; ++i) {
+        EXPECT_GT(w[i], 0.0);
+        sum[i] += w[i] / static_cast<double>(points.size());
+      }
+    for (double mean : sum) EXPECT_NEAR(mean, 1.0 / 3.0, 1e-14);
+  }
+}
+
+TEST(InputSamples, WeighAsMuchAsTheSurfaceAndLieOnTheFaceThatTheyMatch) {
+  const InputSurface input = surface_of(in_box(bumpy_sphere(2)));
+  const WorkingMesh mesh = working_mesh(in_box(bumpy_sphere(1)));
+  const int faces = mesh.connectivity.face_slots();
+  double area = 0.0, weight = 0.0;
+  for (const FacePlane& plane : input.plane) area += plane.area;
+  InputSamples samples(input, area, faces);
+  samples.match(TriangleTree(mesh, faces, one_thread), faces, one_thread);
+  for (int f = 0; f < faces; ++f)
+    for (int i : samples.of_face(f)) {
+      weight += samples.weight(i);
+      const Match match = samples.match(i);
+      EXPECT_NEAR((at(mesh.triangle(f), match.at) - match.target).squaredNorm(), match.distance2,
+                  1e-15);
+    }
+  EXPECT_NEAR(weight, area, 1e-12 * area);
+}
+
+TEST(InputSurface, WeighsCurvedPlacesMoreAndOneInTheMean) {
+  const WorkingMesh mesh = working_mesh(in_box(capped_cylinder(24, 12)));
+  const InputSurface input = input_surface(mesh, EdgeCollapseParams(), 1.0, one_thread);
+  double sum = 0.0, area = 0.0, least = 1e9, largest = 0.0;
+  for (int f = 0; f < input.face_count(); ++f) {
+    sum += input.weight[f] * input.plane[f].area, area += input.plane[f].area;
+    least = std::min(least, input.weight[f]), largest = std::max(largest, input.weight[f]);
+  }
+  EXPECT_NEAR(sum, area, 1e-12 * area);
+  EXPECT_LT(least, 0.9 * largest);
+}
+
+// --- fit -----------------------------------------------------------------------------------------
+
+TEST(VertexFit, BringsAVertexBackToThePlane) {
+  const Shape input = translated(scaled(plane_grid(12), 0.5), {-0.25, -0.25, 0.0});
+  Shape mesh = translated(scaled(plane_grid(4), 0.5), {-0.25, -0.25, 0.0});
+  mesh.vertices[12].z() = 0.03;  // the centre
+  const WorkingMesh result = refined(input, mesh, 4);
+  for (const Vector3& p : result.position) EXPECT_LT(std::abs(p.z()), 1e-3);
+}
+
+TEST(VertexFit, MovesNoLockedVertex) {
+  const Shape input = in_box(icosphere(3)), mesh = in_box(icosphere(1));
+  WorkingMesh result = working_mesh(mesh);
+  result.locked[3] = 1;
+  const InputSurface surface = surface_of(input);
+  ProgressMeter progress({});
+  Refinement(result, surface, plain_quadrics(), nullptr, one_thread).run(2, progress);
+  EXPECT_EQ(result.position[3], mesh.vertices[3]);
+  EXPECT_NE(result.position[4], mesh.vertices[4]);
+}
+
+TEST(VertexFit, BringsABorderBackToItsCurve) {
+  const Shape input = in_box(open_cylinder(48, 12));
+  Shape mesh = in_box(open_cylinder(12, 3));
+  double top = 0.0;
+  for (const Point& p : input.vertices) top = std::max(top, p.z());
+  for (Point& p : mesh.vertices)
+    if (p.z() == top) p.z() -= 0.02;
+  const WorkingMesh result = refined(input, mesh, 5);
+  int at_top = 0;
+  for (const Vector3& p : result.position) at_top += std::abs(p.z() - top) < 1e-3;
+  EXPECT_EQ(at_top, 12);
+}
+
+// --- flips ---------------------------------------------------------------------------------------
+
+/// A saddle's cell has a better and a worse diagonal.
+TEST(EdgeFlips, LowerTheErrorOfAMeshWithWrongDiagonals) {
+  const auto error = [](const WorkingMesh& mesh, const InputSurface& input) {
+    const TriangleTree tree(mesh, mesh.connectivity.face_slots(), one_thread);
+    double sum = 0.0;
+    for (const Vector3& p : input.position) sum += tree.nearest(p, SurfacePoint::none).distance2;
+    return sum;
+  };
+  const Shape input = in_box(torus(96, 48));
+  WorkingMesh mesh = working_mesh(in_box(torus(24, 12)));
+  const InputSurface surface = surface_of(input);
+  const int faces = mesh.connectivity.face_slots();
+  double area = 0.0;
+  for (const FacePlane& plane : surface.plane) area += plane.area;
+  const TriangleTree input_tree(surface, surface.face_count(), one_thread);
+  const TriangleTree mesh_tree(mesh, faces, one_thread);
+  InputSamples of_input(surface, area, faces);
+  of_input.match(mesh_tree, faces, one_thread);
+  MeshSamples of_mesh(surface, input_tree, area, faces);
+  const std::vector<int> near(faces, SurfacePoint::none);
+  of_mesh.match(mesh, near, one_thread);
+  const MoveGuard guard(mesh, surface, input_tree, plain_quadrics());
+  const double before = error(mesh, surface);
+  EXPECT_GT(EdgeFlips(mesh, of_input, of_mesh, guard, nullptr).run(near, one_thread), 0);
+  EXPECT_LT(error(mesh, surface), before);
+}
+
+// --- guard ---------------------------------------------------------------------------------------
+
+TEST(MoveGuard, LetsNoFaceFoldOver) {
+  const Shape shape = in_box(icosphere(2));
+  const WorkingMesh mesh = working_mesh(shape);
+  const InputSurface input = surface_of(shape);
+  const TriangleTree tree(input, input.face_count(), one_thread);
+  const MoveGuard guard(mesh, input, tree, plain_quadrics());
+  const std::vector<int> near(mesh.plane.size(), SurfacePoint::none);
+  for (const Vector3& pull : {Vector3(0.2, 0.0, 0.0), Vector3(0.0, -0.3, 0.1)}) {
+    std::vector<Vector3> steps(mesh.position.size(), Vector3::Zero());
+    steps[7] = pull, steps[20] = -pull;
+    WorkingMesh moved = mesh;
+    moved.position = guard.moved(steps, near, one_thread);
+    for (int f = 0; f < mesh.connectivity.face_slots(); ++f)
+      EXPECT_GT(area_vector(moved.triangle(f)).dot(mesh.plane[f].normal), 0.0);
+  }
+}
+
+/// The centre of a flat grid, 0.125 from its neighbours, lifted as far as the guard lets it go.
+double lifted(double by, const DecimationParams& params) {
+  const Shape shape = translated(scaled(plane_grid(4), 0.5), {-0.25, -0.25, 0.0});
+  const WorkingMesh mesh = working_mesh(shape);
+  const InputSurface input = surface_of(shape);
+  const TriangleTree tree(input, input.face_count(), one_thread);
+  std::vector<Vector3> steps(mesh.position.size(), Vector3::Zero());
+  steps[12].z() = by;
+  const std::vector<int> near(mesh.plane.size(), SurfacePoint::none);
+  return MoveGuard(mesh, input, tree, params).moved(steps, near, one_thread)[12].z();
+}
+
+TEST(MoveGuard, HalvesAStepThatTurnsAFaceByMoreThanSixtyDegrees) {
+  EXPECT_EQ(lifted(0.1, plain_quadrics()), 0.1);
+  EXPECT_EQ(lifted(0.3, plain_quadrics()), 0.15);
+}
+
+TEST(MoveGuard, TakesBackAStepThatTurnsAFaceByMoreThanTheNormalAngleFromTheInput) {
+  EdgeCollapseParams params = plain_quadrics();
+  params.normal_angle = 30.0;
+  EXPECT_EQ(lifted(0.1, params), 0.0);
+  EXPECT_EQ(lifted(0.02, params), 0.02);
+  params.preserve_normal = false;
+  EXPECT_EQ(lifted(0.1, params), 0.1);
+}
+
+TEST(MoveGuard, LetsAllOthersGo) {
+  const Shape shape = in_box(icosphere(2));
+  const WorkingMesh mesh = working_mesh(shape);
+  const InputSurface input = surface_of(shape);
+  const TriangleTree tree(input, input.face_count(), one_thread);
+  const std::vector<int> near(mesh.plane.size(), SurfacePoint::none);
+  const std::vector<Vector3> steps(mesh.position.size(), Vector3(0.01, 0.0, 0.0));
+  const std::vector<Vector3> now =
+      MoveGuard(mesh, input, tree, plain_quadrics()).moved(steps, near, one_thread);
+  for (std::size_t v = 0; v < now.size(); ++v) EXPECT_EQ(now[v], mesh.position[v] + steps[v]);
+}
+
+}  // namespace
+}  // namespace curvdecim::test

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "vcg_ext/connectivity/edge_neighborhood.h"
+#include "vcg_ext/mesh/working_mesh.h"
+
+namespace curvdecim {
+
+/// Edges of one face.
+inline std::vector<Edge> border_edges(const WorkingMesh& mesh) {
+  std::vector<Edge> edges;
+  for (int f = 0; f < mesh.connectivity.face_slots(); ++f)
+    for (int i = 0; i < 3 && mesh.connectivity.alive(f); ++i) {
+      const int a = mesh.connectivity.face(f)[i], b = mesh.connectivity.face(f)[(i + 1) % 3];
+      if (mesh.kind[a] != VertexKind::Interior && mesh.kind[b] != VertexKind::Interior &&
+          is_boundary_edge(mesh.connectivity, a, b))
+        edges.push_back({std::min(a, b), std::max(a, b)});
+    }
+  return edges;
+}
+
+/// Edges of the boundary as faces without area, to look for nearest points on.
+struct BorderCurve {
+  const std::vector<Vector3>& position;  // by vertex
+  std::vector<Edge> edges;
+  std::vector<FacePlane> plane;  // by edge: none has one
+
+  BorderCurve(const std::vector<Vector3>& positions, std::vector<Edge> border)
+      : position(positions), edges(std::move(border)), plane(edges.size()) {}
+
+  int size() const { return static_cast<int>(edges.size()); }
+  Triangle triangle(int e) const {
+    const auto [a, b] = edges[e];
+    return {position[a], position[b], position[b]};
+  }
+  double length(int e) const { return (position[edges[e].b] - position[edges[e].a]).norm(); }
+};
+
+}  // namespace curvdecim

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <tuple>
+#include <vector>
+
+#include "vcg_ext/mesh/wedge_texture.h"
+#include "vcg_ext/mesh/working_mesh.h"
+#include "vcg_ext/parallel.h"
+#include "vcg_ext/refine/input_samples.h"
+#include "vcg_ext/refine/mesh_samples.h"
+#include "vcg_ext/refine/move_guard.h"
+
+namespace curvdecim {
+
+/// Flips edges where the other diagonal of the two faces lies closer to the input, measured by the
+/// samples of both @cite hoppe1993. The best first; flips of one pass share no vertex.
+class EdgeFlips {
+ public:
+  /// wedges: or nullptr.
+  EdgeFlips(WorkingMesh& mesh, InputSamples& of_input, MeshSamples& of_mesh, const MoveGuard& guard,
+            WedgeTexture* wedges)
+      : mesh_(mesh), of_input_(of_input), of_mesh_(of_mesh), guard_(guard), wedges_(wedges) {}
+
+  /// near: by face, a face of the input near it. Returns the number of flips.
+  int run(const std::vector<int>& near, const Parallel& parallel) {
+    std::vector<Flip> flips = candidates(near, parallel);
+    std::sort(flips.begin(), flips.end());
+    flips = apart(flips);
+    for (const Flip& flip : flips) apply(flip);
+    if (flips.empty()) return 0;
+    parallel.for_each(
+        static_cast<int>(flips.size()), [&](int i) { match_again(flips[i], near); },
+        Parallel::heavy);
+    of_input_.sort_by_face();
+    return static_cast<int>(flips.size());
+  }
+
+ private:
+  /// Of the edge from a to b between f = (a, b, c) and g = (b, a, d).
+  struct Flip {
+    int f = -1, g = -1, a = -1, b = -1, c = -1, d = -1;
+    double gain = 0.0;
+
+    bool operator<(const Flip& o) const {
+      return std::tuple(-gain, f, g, a) < std::tuple(-o.gain, o.f, o.g, o.a);
+    }
+  };
+
+  /// The two faces after a flip.
+  struct Pair {
+    std::array<Triangle, 2> triangle;
+    std::array<FacePlane, 2> plane;
+
+    explicit Pair(const Triangle& s, const Triangle& t)
+        : triangle{s, t}, plane{face_plane(s), face_plane(t)} {}
+
+    double shape() const {
+      return std::min(shape_quality(triangle[0], plane[0].area),
+                      shape_quality(triangle[1], plane[1].area));
+    }
+    double fold() const { return plane[0].normal.dot(plane[1].normal); }
+
+    double distance2(const Vector3& p) const {
+      double least = std::numeric_limits<double>::infinity();
+      for (int i = 0; i < 2; ++i) {
+        const double height = plane[i].normal.dot(p - triangle[i][0]);
+        if (height * height >= least) continue;
+        least = std::min(least, (at(triangle[i], closest_point(triangle[i], p)) - p).squaredNorm());
+      }
+      return least;
+    }
+  };
+
+  static constexpr double worth_while = 0.98;  // of the error before
+  static constexpr double least_shape_quality = 0.05;
+  static constexpr double least_fold = -0.2;  // cosine between the two normals: no knife's edge
+  static constexpr int least_valence = 3;     // a vertex that loses a face has more
+
+  std::vector<Flip> candidates(const std::vector<int>& near, const Parallel& parallel) const {
+    std::vector<std::array<Flip, 3>> of_face(mesh_.connectivity.face_slots());
+    parallel.for_each(
+        mesh_.connectivity.face_slots(),
+        [&](int f) {
+          for (int i = 0; i < 3; ++i) of_face[f][i] = flip_of(f, i, near);
+        },
+        Parallel::heavy);
+    std::vector<Flip> flips;
+    for (const auto& of_edges : of_face)
+      for (const Flip& flip : of_edges)
+        if (flip.gain > 0.0) flips.push_back(flip);
+    return flips;
+  }
+
+  /// Without a gain where the edge is not to be flipped; each edge comes up at its lower face.
+  Flip flip_of(int f, int corner, const std::vector<int>& near) const {
+    const TriangleConnectivity& connectivity = mesh_.connectivity;
+    Flip flip;
+    flip.f = f, flip.a = connectivity.face(f)[corner],
+    flip.b = connectivity.face(f)[(corner + 1) % 3];
+    flip.g = face_across(f, flip.a, flip.b);
+    if (flip.g < f) return {};
+    flip.c = connectivity.third_vertex(f, flip.a, flip.b);
+    flip.d = connectivity.third_vertex(flip.g, flip.a, flip.b);
+    const double before = error(flip);
+    if (!(before > 0.0) || !keeps_surface(flip)) return {};
+    const auto [a, b, c, d] = positions(flip);
+    const Pair now({a, b, c}, {b, a, d}), then({a, d, c}, {d, b, c});
+    if (!keeps_shape(now, then)) return {};
+    const double after = error_after(flip, then, worth_while * before, near[f]);
+    if (after < worth_while * before && faces_input(now, then, near[f])) flip.gain = before - after;
+    return flip;
+  }
+
+  /// The one other face at the edge, if it runs the other way along it, or -1.
+  int face_across(int f, int a, int b) const {
+    const TriangleConnectivity& connectivity = mesh_.connectivity;
+    int across = -1;
+    for (int g : connectivity.faces_of(a)) {
+      if (g == f || !connectivity.face_has(g, b)) continue;
+      if (across >= 0) return -1;
+      across = g;
+    }
+    if (across < 0) return -1;
+    const int next_to_b = connectivity.face(across)[(connectivity.corner(across, b) + 1) % 3];
+    return next_to_b == a ? across : -1;
+  }
+
+  double error(const Flip& flip) const {
+    double sum = 0.0;
+    for (int f : {flip.f, flip.g}) {
+      for (int i : of_input_.of_face(f)) sum += of_input_.weight(i) * of_input_.distance2(i);
+      for (const Match& match : of_mesh_.of_face(f)) sum += match.weight * match.distance2;
+    }
+    return sum;
+  }
+
+  /// What is locked, seams, and the link condition @cite dey1999: no second edge from c to d.
+  bool keeps_surface(const Flip& flip) const {
+    const TriangleConnectivity& connectivity = mesh_.connectivity;
+    if (flip.c == flip.d || is_locked(flip.f) || is_locked(flip.g)) return false;
+    if (connectivity.faces_of(flip.a).size() <= least_valence ||
+        connectivity.faces_of(flip.b).size() <= least_valence)
+      return false;
+    if (wedges_ && wedges_->is_seam(mesh_, flip.f, flip.g, flip.a, flip.b)) return false;
+    return !connectivity.has_edge(flip.c, flip.d);
+  }
+
+  /// A face that may not change has locked corners.
+  bool is_locked(int f) const {
+    const auto [a, b, c] = mesh_.connectivity.face(f);
+    return mesh_.locked[a] != 0 && mesh_.locked[b] != 0 && mesh_.locked[c] != 0;
+  }
+
+  std::array<Vector3, 4> positions(const Flip& flip) const {
+    return {mesh_.position[flip.a], mesh_.position[flip.b], mesh_.position[flip.c],
+            mesh_.position[flip.d]};
+  }
+
+  static bool keeps_shape(const Pair& now, const Pair& then) {
+    const Vector3 up = now.plane[0].area_vector() + now.plane[1].area_vector();
+    for (const FacePlane& plane : then.plane)
+      if (!(plane.normal.dot(up) > 0.0)) return false;
+    const double shape = then.shape();
+    return (shape >= least_shape_quality || shape >= now.shape()) &&
+           then.fold() >= std::min(least_fold, now.fold());
+  }
+
+  bool faces_input(const Pair& now, const Pair& then, int hint) const {
+    const auto facing = [&](const Triangle& t) { return guard_.facing(t, hint); };
+    const double before = std::min(facing(now.triangle[0]), facing(now.triangle[1]));
+    return guard_.faces_input(then.triangle[0], before, hint) &&
+           guard_.faces_input(then.triangle[1], before, hint);
+  }
+
+  /// Ends early where it is more than `most`.
+  double error_after(const Flip& flip, const Pair& then, double most, int hint) const {
+    double sum = 0.0;
+    for (int f : {flip.f, flip.g})
+      for (int i : of_input_.of_face(f)) {
+        sum += of_input_.weight(i) * then.distance2(of_input_.point(i));
+        if (sum >= most) return sum;
+      }
+    for (const Triangle& triangle : then.triangle) {
+      std::vector<Match> matches;
+      of_mesh_.match_face(triangle, hint, matches);
+      for (const Match& match : matches) sum += match.weight * match.distance2;
+    }
+    return sum;
+  }
+
+  std::vector<Flip> apart(const std::vector<Flip>& flips) const {
+    std::vector<Flip> chosen;
+    std::vector<std::uint8_t> taken(mesh_.connectivity.vertex_slots(), 0);
+    for (const Flip& flip : flips) {
+      const std::array<int, 4> corners = {flip.a, flip.b, flip.c, flip.d};
+      if (std::any_of(corners.begin(), corners.end(), [&](int v) { return taken[v] != 0; }))
+        continue;
+      for (int v : corners) taken[v] = 1;
+      chosen.push_back(flip);
+    }
+    return chosen;
+  }
+
+  void apply(const Flip& flip) {
+    if (wedges_) wedges_->flip(mesh_, flip.f, flip.g, flip.a, flip.b);
+    mesh_.connectivity.flip(flip.f, flip.g, flip.a, flip.b);
+    mesh_.update_plane(flip.f), mesh_.update_plane(flip.g);
+  }
+
+  void match_again(const Flip& flip, const std::vector<int>& near) {
+    of_input_.match_among(mesh_, flip.f, flip.g);
+    for (int f : {flip.f, flip.g}) of_mesh_.match_face(mesh_, f, near[f]);
+  }
+
+  WorkingMesh& mesh_;
+  InputSamples& of_input_;
+  MeshSamples& of_mesh_;
+  const MoveGuard& guard_;
+  WedgeTexture* wedges_;
+};
+
+}  // namespace curvdecim

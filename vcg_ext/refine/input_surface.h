@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "vcg_ext/connectivity/edge_neighborhood.h"
+#include "vcg_ext/curvature/curvature_field.h"
+#include "vcg_ext/curvature/curvature_weight.h"
+#include "vcg_ext/mesh/working_mesh.h"
+#include "vcg_ext/parallel.h"
+#include "vcg_ext/params.h"
+#include "vcg_ext/refine/border_curve.h"
+
+namespace curvdecim {
+
+/// The input as it was before the collapses, in the box of diagonal 1.
+struct InputSurface {
+  std::vector<Vector3> position;  // by vertex
+  std::vector<Face> face;
+  std::vector<FacePlane> plane;  // by face
+  std::vector<double> weight;    // by face: how much its error counts, 1 in the mean
+  std::vector<Edge> border;      // edges of one face
+
+  int face_count() const { return static_cast<int>(face.size()); }
+  Triangle triangle(int f) const {
+    const auto [a, b, c] = face[f];
+    return {position[a], position[b], position[c]};
+  }
+};
+
+/// By vertex: how much an error there counts, as it does in the collapses.
+inline std::vector<double> error_weights(const WorkingMesh& mesh, const EdgeCollapseParams& params,
+                                         double diagonal, const Parallel& parallel) {
+  std::vector<double> weights(mesh.position.size(), 1.0);
+  if (params.metric == Metric::CurvatureWeighted) {
+    const CurvatureField field = curvature_field(mesh, params, parallel);
+    const CurvatureWeight weight = curvature_weight(params, field, diagonal);
+    for (std::size_t v = 0; v < weights.size(); ++v) {
+      const double saturation = weight.saturation(field.value[v]);
+      weights[v] = weight.of_edge(saturation, saturation);
+    }
+  }
+  for (std::size_t v = 0; v < mesh.importance.size(); ++v) weights[v] *= mesh.importance[v];
+  return weights;
+}
+
+/// The mean of the corners' weights, over the mean of the surface.
+inline void set_face_weights(const std::vector<double>& of_vertex, InputSurface& surface) {
+  double sum = 0.0, area = 0.0;
+  for (int f = 0; f < surface.face_count(); ++f) {
+    const auto [a, b, c] = surface.face[f];
+    surface.weight.push_back((of_vertex[a] + of_vertex[b] + of_vertex[c]) / 3.0);
+    sum += surface.weight[f] * surface.plane[f].area;
+    area += surface.plane[f].area;
+  }
+  for (double& weight : surface.weight) weight = sum > 0.0 ? weight * (area / sum) : 1.0;
+}
+
+/// mesh: before the collapses; diagonal: of the input in its own unit.
+inline InputSurface input_surface(const WorkingMesh& mesh, const EdgeCollapseParams& params,
+                                  double diagonal, const Parallel& parallel) {
+  const TriangleConnectivity& connectivity = mesh.connectivity;
+  InputSurface surface;
+  surface.position = mesh.position;
+  surface.plane = mesh.plane;
+  for (int f = 0; f < connectivity.face_slots(); ++f) surface.face.push_back(connectivity.face(f));
+  set_face_weights(error_weights(mesh, params, diagonal, parallel), surface);
+  surface.border = border_edges(mesh);
+  return surface;
+}
+
+}  // namespace curvdecim

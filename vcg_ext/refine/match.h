@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "vcg_ext/geometry/triangle_tree.h"
+
+namespace curvdecim {
+
+/// A point of a face of the mesh and the point of the input that belongs to it: one of them is the
+/// nearest to the other.
+struct Match {
+  Barycentric at{};     // on the face
+  Vector3 target;       // on the input
+  double weight = 0.0;  // the part of the area that the sample stands for
+  double distance2 = 0.0;
+  int input_face = SurfacePoint::none;  // that the target is on, where it is known
+};
+
+/// How far to look.
+struct MatchLimits {
+  double facing2;    // squared: further away, a face is taken whichever way it faces
+  double rounding2;  // squared: nearer is nothing
+
+  /// For a mesh of so many faces. Distances below 1e-7 of a face's size are rounding.
+  MatchLimits(double area, int faces) : facing2(area / faces), rounding2(1e-14 * facing2) {}
+
+  void round(SurfacePoint& point) const {
+    if (point.distance2 <= rounding2) point.distance2 = 0.0;
+  }
+};
+
+/// The nearest point on the same sheet, where that is near; of thin walls the other sheet may be
+/// nearer.
+template <class Surface>
+SurfacePoint nearest_on_sheet(const TriangleTree<Surface>& tree, const Vector3& p,
+                              const Vector3& normal, int hint, const MatchLimits& limits) {
+  SurfacePoint found = tree.nearest_facing(p, normal, limits.facing2, hint);
+  if (!found.found()) found = tree.nearest(p, hint);
+  limits.round(found);
+  return found;
+}
+
+/// Centres of the parts of a triangle whose edges are cut in `cuts`.
+inline void spread_over_triangle(int cuts, std::vector<Barycentric>& points) {
+  points.clear();
+  const double third = 1.0 / 3.0;
+  const auto add = [&](double x, double y) {
+    points.push_back({1.0 - (x + y) / cuts, x / cuts, y / cuts});
+  };
+  for (int i = 0; i < cuts; ++i)
+    for (int j = 0; i + j < cuts; ++j) {
+      add(i + third, j + third);
+      if (i + j + 1 < cuts) add(i + 2.0 * third, j + 2.0 * third);
+    }
+}
+
+/// Cuts of an edge, so that the parts of a face are about as large as `part`, up to a limit.
+inline int cuts_for(double area, double part, int most) {
+  return static_cast<int>(std::lround(std::clamp(std::sqrt(area / part), 1.0, double(most))));
+}
+
+}  // namespace curvdecim

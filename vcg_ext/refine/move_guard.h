@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "vcg_ext/geometry/triangle_tree.h"
+#include "vcg_ext/guard/normal_flip.h"
+#include "vcg_ext/guard/triangle_shape.h"
+#include "vcg_ext/mesh/working_mesh.h"
+#include "vcg_ext/parallel.h"
+#include "vcg_ext/params.h"
+#include "vcg_ext/refine/input_surface.h"
+
+namespace curvdecim {
+
+/// How far vertices may step: no face turns far, folds back over the input, or becomes a needle.
+class MoveGuard {
+ public:
+  MoveGuard(const WorkingMesh& mesh, const InputSurface& input,
+            const TriangleTree<InputSurface>& tree, const DecimationParams& params)
+      : mesh_(mesh),
+        input_(input),
+        tree_(tree),
+        least_facing_(params.preserve_normal
+                          ? std::cos(params.normal_angle * (M_PI / 180.0)) + facing_margin
+                          : -1.0) {}
+
+  /// The positions after the steps, as far as they may be done. near: by face, a face of the input
+  /// near it.
+  std::vector<Vector3> moved(std::vector<Vector3> steps, const std::vector<int>& near,
+                             const Parallel& parallel) const {
+    shorten(steps, parallel);
+    std::vector<Vector3> now(steps.size());
+    parallel.for_each(static_cast<int>(now.size()),
+                      [&](int v) { now[v] = mesh_.position[v] + steps[v]; });
+    take_back_folds(now, near, parallel);
+    return now;
+  }
+
+  /// May this face be, where there was one that faced the input by `before`?
+  bool faces_input(const Triangle& triangle, double before, int hint) const {
+    const double now = facing(triangle, hint);
+    return now >= least_facing_ || now > before;
+  }
+
+  /// Cosine between the face's normal and the input's, at the point of the input nearest to the
+  /// face's centre.
+  double facing(const Triangle& triangle, int hint) const {
+    const Vector3 normal = face_plane(triangle).normal;
+    const Vector3 center = (triangle[0] + triangle[1] + triangle[2]) / 3.0;
+    return normal.dot(input_.plane[tree_.nearest(center, hint).face].normal);
+  }
+
+ private:
+  static constexpr double facing_margin = 0.05;  // as for collapses
+  static constexpr double least_turn = 0.5;      // cosine: 60 degrees in one step
+  static constexpr double least_shape_quality = 0.02;
+  static constexpr int halvings = 4;  // before a step is dropped
+
+  Triangle triangle_at(int f, const std::vector<Vector3>& position) const {
+    const auto [a, b, c] = mesh_.connectivity.face(f);
+    return {position[a], position[b], position[c]};
+  }
+
+  int face_count() const { return mesh_.connectivity.face_slots(); }
+  int vertex_count() const { return mesh_.connectivity.vertex_slots(); }
+
+  /// Halves the steps at faces that they would spoil, until none is.
+  void shorten(std::vector<Vector3>& steps, const Parallel& parallel) const {
+    std::vector<std::uint8_t> spoilt(face_count());
+    for (int round = 0;; ++round) {
+      parallel.for_each(face_count(), [&](int f) { spoilt[f] = is_spoilt(f, steps); });
+      if (std::none_of(spoilt.begin(), spoilt.end(), [](std::uint8_t s) { return s != 0; })) return;
+      const double factor = round < halvings ? 0.5 : 0.0;
+      parallel.for_each(vertex_count(), [&](int v) {
+        if (is_any_set(mesh_.connectivity.faces_of(v), spoilt)) steps[v] *= factor;
+      });
+    }
+  }
+
+  static bool is_any_set(TriangleConnectivity::FaceRange faces,
+                         const std::vector<std::uint8_t>& flag) {
+    return std::any_of(faces.begin(), faces.end(), [&](int f) { return flag[f] != 0; });
+  }
+
+  bool is_spoilt(int f, const std::vector<Vector3>& steps) const {
+    const auto [a, b, c] = mesh_.connectivity.face(f);
+    if (steps[a].isZero(0.0) && steps[b].isZero(0.0) && steps[c].isZero(0.0)) return false;
+    const Triangle before = mesh_.triangle(f);
+    const Triangle after{before[0] + steps[a], before[1] + steps[b], before[2] + steps[c]};
+    const FacePlane plane = face_plane(after);
+    return turns_too_far(mesh_.plane[f].normal, plane, least_turn) ||
+           spoils_shape(before, mesh_.plane[f].area, after, plane.area, least_shape_quality);
+  }
+
+  /// Corners of a face that faces away go back to where they were, until no face does.
+  void take_back_folds(std::vector<Vector3>& now, const std::vector<int>& near,
+                       const Parallel& parallel) const {
+    std::vector<std::uint8_t> folded(face_count()), changed(face_count(), 1);
+    for (bool any = true; any;) {
+      parallel.for_each(
+          face_count(),
+          [&](int f) {
+            folded[f] = changed[f] != 0 && has_moved(f, now) && is_folded(f, now, near[f]);
+          },
+          Parallel::heavy);
+      std::fill(changed.begin(), changed.end(), 0);
+      any = false;
+      for (int f = 0; f < face_count(); ++f)
+        if (folded[f] != 0) any = true, put_back(f, now, changed);
+    }
+  }
+
+  bool has_moved(int f, const std::vector<Vector3>& now) const {
+    for (int v : mesh_.connectivity.face(f))
+      if (now[v] != mesh_.position[v]) return true;
+    return false;
+  }
+
+  bool is_folded(int f, const std::vector<Vector3>& now, int hint) const {
+    const double after = facing(triangle_at(f, now), hint);
+    return after < least_facing_ && after < facing(mesh_.triangle(f), hint);
+  }
+
+  void put_back(int f, std::vector<Vector3>& now, std::vector<std::uint8_t>& changed) const {
+    for (int v : mesh_.connectivity.face(f)) {
+      now[v] = mesh_.position[v];
+      for (int g : mesh_.connectivity.faces_of(v)) changed[g] = 1;
+    }
+  }
+
+  const WorkingMesh& mesh_;
+  const InputSurface& input_;
+  const TriangleTree<InputSurface>& tree_;
+  const double least_facing_;
+};
+
+}  // namespace curvdecim

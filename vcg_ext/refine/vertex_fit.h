@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "vcg_ext/mesh/working_mesh.h"
+#include "vcg_ext/parallel.h"
+#include "vcg_ext/refine/border_samples.h"
+#include "vcg_ext/refine/input_samples.h"
+#include "vcg_ext/refine/mesh_samples.h"
+#include "vcg_ext/refine/normal_equations.h"
+
+namespace curvdecim {
+
+/// The steps of the vertices that lower the squared distances of all samples most, connectivity
+/// and matches as they are @cite hoppe1993. Along the line to its match a sample counts in full,
+/// across it not at all, so that vertices may slide.
+class VertexFit {
+ public:
+  VertexFit(const WorkingMesh& mesh, const Parallel& parallel) : mesh_(mesh), parallel_(parallel) {}
+
+  /// fixed: by vertex, 1 may not move.
+  std::vector<Vector3> steps(const InputSamples& of_input, const MeshSamples& of_mesh,
+                             const BorderSamples& of_border,
+                             const std::vector<std::uint8_t>& fixed) const {
+    NormalEquations equations(mesh_.connectivity, fixed);
+    parallel_.for_each(
+        mesh_.connectivity.face_slots(),
+        [&](int f) { equations.of_face[f] = system_of_face(f, of_input, of_mesh); },
+        Parallel::heavy);
+    parallel_.for_each(mesh_.connectivity.vertex_slots(),
+                       [&](int v) { add_vertex(v, of_mesh.of_vertex(v), equations); });
+    for (int e = 0; e < of_border.edge_count(); ++e) {
+      const auto [a, b] = of_border.edge(e);
+      equations.of_edge.push_back({a, b, system_of_edge(of_border, e)});
+    }
+    return equations.solve(parallel_);
+  }
+
+ private:
+  CornerSystem system_of_face(int f, const InputSamples& of_input,
+                              const MeshSamples& of_mesh) const {
+    const Triangle triangle = mesh_.triangle(f);
+    CornerSystem system;
+    for (int i : of_input.of_face(f)) add(triangle, f, of_input.match(i), system);
+    for (const Match& match : of_mesh.of_face(f)) add(triangle, f, match, system);
+    return system;
+  }
+
+  /// A sample that lies on its match holds the face where it is.
+  void add(const Triangle& triangle, int f, const Match& match, CornerSystem& system) const {
+    const Vector3 pull = match.target - at(triangle, match.at);
+    if (match.distance2 > 0.0)
+      system.add(match.at, Symmetric3::outer(pull, 1.0 / pull.squaredNorm()), pull, match.weight);
+    else
+      system.add(match.at, Symmetric3::outer(mesh_.plane[f].normal, 1.0), Vector3::Zero(),
+                 match.weight);
+  }
+
+  void add_vertex(int v, const Match& match, NormalEquations& equations) const {
+    const Vector3 pull = match.target - mesh_.position[v];
+    if (!(match.distance2 > 0.0)) return;
+    equations.diagonal[v] += Symmetric3::outer(pull, match.weight / pull.squaredNorm());
+    equations.force[v] += match.weight * pull;
+  }
+
+  /// Across an edge a sample counts in both directions, beyond its ends along the line to its
+  /// match.
+  static CornerSystem system_of_edge(const BorderSamples& of_border, int e) {
+    const Triangle edge = of_border.triangle(e);
+    const Vector3 along = (edge[1] - edge[0]).normalized();
+    const Symmetric3 across = Symmetric3::outer(along, -1.0).plus_diagonal(1.0);
+    CornerSystem system;
+    for (const Match& match : of_border.of_edge(e)) {
+      const Vector3 pull = match.target - at(edge, match.at);
+      if (match.at[0] > 0.0 && match.at[1] > 0.0)
+        system.add(match.at, across, across * pull, match.weight);
+      else if (match.distance2 > 0.0)
+        system.add(match.at, Symmetric3::outer(pull, 1.0 / pull.squaredNorm()), pull, match.weight);
+    }
+    return system;
+  }
+
+  const WorkingMesh& mesh_;
+  const Parallel& parallel_;
+};
+
+}  // namespace curvdecim
