@@ -63,9 +63,8 @@ class CollapseRounds {
   /// cores: there, and at a large mesh's end, the strict order takes over.
   static constexpr int least_vertices = 512;
   static constexpr int least_collapses = 64;  // fewer are better chosen one by one
-  /// One pick in so many candidates at first: fewer are apart from each other around a hub.
+  /// One pick in so many candidates: fewer are apart from each other around a hub.
   static constexpr int least_share = 64;
-  static constexpr int share_of_next = 16;  // then: what fewer picks leave is ranked anew instead
 
   struct Pick {
     Edge edge{};
@@ -100,11 +99,9 @@ class CollapseRounds {
 
   /// False if too few of them could be collapsed.
   bool collapse_candidates(DecimationReport& report) {
-    const int candidates = selection_.candidates(), few = candidates / least_share;
+    const int few = selection_.candidates() / least_share;
     const int before = mesh_.connectivity.vertex_count();
-    for (int least = few; !stop_.reached(mesh_.connectivity) && pick() > least;
-         least = candidates / share_of_next)
-      collapse_picks(report);
+    while (!stop_.reached(mesh_.connectivity) && pick() > few) collapse_picks(report);
     return before - mesh_.connectivity.vertex_count() > few;
   }
 
