@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -27,8 +26,9 @@ class CollapseGuards {
   CollapseGuards(const WorkingMesh& mesh, const DecimationParams& params)
       : mesh_(mesh),
         link_condition_(params.preserve_topology || params.max_error > 0.0),
-        cos_normal_(params.preserve_normal ? limit(params.normal_angle) : -1.0),
-        cos_input_normal_(params.preserve_normal ? limit(from_input * params.normal_angle) : -1.0),
+        cos_normal_(params.preserve_normal ? least_cosine(params.normal_angle) : -1.0),
+        cos_input_normal_(params.preserve_normal ? least_cosine(from_input * params.normal_angle)
+                                                 : -1.0),
         bound_(mesh, params.max_error) {
     for (const FacePlane& plane : mesh.plane) input_normal_.push_back(plane.normal);
   }
@@ -63,9 +63,6 @@ class CollapseGuards {
  private:
   static constexpr double least_shape_quality = 0.01;  // a needle of 1 : 100
   static constexpr double from_input = 2.0 / 3.0;      // of the angle: what a face may turn in all
-  static constexpr double margin = 0.05;  // two faces on the very limit could lie back to back
-
-  static double limit(double degrees) { return std::cos(degrees * (M_PI / 180.0)) + margin; }
 
   /// Turns are counted from the current normal and from the input's, so that many small ones cannot
   /// flip a face.

@@ -36,4 +36,12 @@ struct WorkingMesh {
   }
 };
 
+/// Sum of the area vectors of the faces around v: the direction they face together, and how the
+/// volume below them grows with v.
+inline Vector3 area_vector_around(const WorkingMesh& mesh, int v) {
+  Vector3 sum = Vector3::Zero();
+  for (int f : mesh.connectivity.faces_of(v)) sum += mesh.plane[f].area_vector();
+  return sum;
+}
+
 }  // namespace curvdecim

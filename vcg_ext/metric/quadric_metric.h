@@ -143,7 +143,7 @@ class QuadricMetric {
   /// What an evaluation reads of a vertex.
   struct Sum {
     Quadric quadric;  // about the vertex; memoryless: of the planes remembered and current
-    Vector3 gradient = Vector3::Zero();  // memoryless: volume_gradient
+    Vector3 gradient = Vector3::Zero();  // memoryless: area_vector_around
   };
 
   /// Of the plane of face f, about any of its corners.
@@ -184,7 +184,7 @@ class QuadricMetric {
     sum = memory_[v] + matrix_around(v);
     if (mesh_.kind[v] == VertexKind::Boundary)
       sum += boundary_matrix(mesh_, v, params_.plane_weight) * params_.boundary_weight;
-    sum_[v].gradient = volume_gradient(mesh_, v);
+    sum_[v].gradient = area_vector_around(mesh_, v);
   }
 
   /// The two faces at the edge lie around both ends and count once. None where the volume is not

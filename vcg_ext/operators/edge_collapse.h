@@ -125,12 +125,11 @@ class EdgeCollapse {
     collapser_.make_room(++collapses_);
     const auto done = collapser_.collapse(candidate, error_bound, collapses_ - 1, scratch_);
     mesh_.connectivity.count(done.removed);
-    gather_ring(mesh_, done.keep, scratch_.ring);
     report_->cost_last = candidate.cost;
     report_->max_error = std::max(report_->max_error, error_bound);
     queue_.remove(done.gone);
     queue_.remove(done.keep);
-    ring_.swap(scratch_.ring);
+    gather_ring(mesh_, done.keep, ring_);
     scheduler_ == Scheduler::Eager ? requeue_ring(done.keep) : offer_ring(done.keep);
   }
 

@@ -28,7 +28,7 @@ class EdgeCollapser {
     std::vector<int> neighbors;  // of the vertex last estimated for, that may collapse with it
     std::vector<double> costs;   // of the edges to them
     EdgeNeighborhood around;     // of the edge asked about or collapsed last
-    VertexRing ring;             // of the vertex last chosen for, or merged
+    VertexRing ring;             // of the vertex last chosen for
     std::vector<EdgeChoice> options;
     std::vector<FacePlane> after;  // of the star, were the edge asked about last collapsed
   };

@@ -124,9 +124,7 @@ class EdgeFlips {
       if (across >= 0) return -1;
       across = g;
     }
-    if (across < 0) return -1;
-    const int next_to_b = connectivity.face(across)[(connectivity.corner(across, b) + 1) % 3];
-    return next_to_b == a ? across : -1;
+    return across >= 0 && connectivity.next_vertex(across, b) == a ? across : -1;
   }
 
   double error(const Flip& flip) const {

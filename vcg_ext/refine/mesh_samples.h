@@ -72,12 +72,10 @@ class MeshSamples {
   }
 
   void match_vertex(const WorkingMesh& mesh, int v) {
-    Vector3 normal = Vector3::Zero();
     double area = 0.0;
-    for (int f : mesh.connectivity.faces_of(v))
-      normal += mesh.plane[f].area_vector(), area += mesh.plane[f].area;
-    const SurfacePoint found =
-        nearest_on_sheet(tree_, mesh.position[v], normal, of_vertex_[v].input_face, limits_);
+    for (int f : mesh.connectivity.faces_of(v)) area += mesh.plane[f].area;
+    const SurfacePoint found = nearest_on_sheet(
+        tree_, mesh.position[v], area_vector_around(mesh, v), of_vertex_[v].input_face, limits_);
     of_vertex_[v] = match_at(found, vertex_weight * area / 3.0);
   }
 

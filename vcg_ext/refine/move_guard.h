@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -24,9 +23,7 @@ class MoveGuard {
       : mesh_(mesh),
         input_(input),
         tree_(tree),
-        least_facing_(params.preserve_normal
-                          ? std::cos(params.normal_angle * (M_PI / 180.0)) + facing_margin
-                          : -1.0) {}
+        least_facing_(params.preserve_normal ? least_cosine(params.normal_angle) : -1.0) {}
 
   /// The positions after the steps, as far as they may be done. near: by face, a face of the input
   /// near it.
@@ -55,8 +52,7 @@ class MoveGuard {
   }
 
  private:
-  static constexpr double facing_margin = 0.05;  // as for collapses
-  static constexpr double least_turn = 0.5;      // cosine: 60 degrees in one step
+  static constexpr double least_turn = 0.5;  // cosine: 60 degrees in one step
   static constexpr double least_shape_quality = 0.02;
   static constexpr int halvings = 4;  // before a step is dropped
 

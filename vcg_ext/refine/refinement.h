@@ -124,9 +124,8 @@ class Refinement {
   }
 
   SurfacePoint on_input(int v) const {
-    Vector3 normal = Vector3::Zero();
-    for (int f : mesh_.connectivity.faces_of(v)) normal += mesh_.plane[f].area_vector();
-    return nearest_on_sheet(input_tree_, mesh_.position[v], normal, SurfacePoint::none, limits_);
+    return nearest_on_sheet(input_tree_, mesh_.position[v], area_vector_around(mesh_, v),
+                            SurfacePoint::none, limits_);
   }
 
   WorkingMesh& mesh_;
