@@ -13,6 +13,7 @@ more. Where there is nothing to compare with, it says so and ends with 0.
 from __future__ import annotations
 
 import argparse
+import json
 import math
 import os
 import shutil
@@ -214,11 +215,11 @@ def _race(
 
 
 def _seconds(driver: Path, mesh: Path, preset: str, target: int) -> float:
-    command = [str(driver), str(mesh), preset, str(target)]
+    command = [str(driver), preset, str(target), str(mesh), os.devnull]
     done = subprocess.run(
         command, capture_output=True, text=True, check=True, timeout=_MOST_SECONDS
     )
-    return float(done.stdout)
+    return float(json.loads(done.stdout)["seconds"])
 
 
 def _table(base: str, before: Times, now: Times) -> tables.Table:

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Our own core without a host, on the terms of the other libraries: the clock covers
-// decimate_edge_collapse on a bare vcg mesh in double, which is built before.
+// decimate_edge_collapse on a bare vcg mesh in double, which is built before. The speed guard
+// compiles it with the cores of two commits, so it uses nothing of the interface but what every
+// commit has.
 #include <vcg/complex/complex.h>
 
 #include "peer.h"
