@@ -96,7 +96,6 @@ void expect_factors_after_a_collapse(CurvatureOf of, Saturation saturation) {
   CurvatureWeightedMetric weighted(mesh, params, 1.0);
   QuadricMetric plain(mesh, params);
   weighted.initialize(Parallel(1)), plain.initialize(Parallel(1));
-  VertexRing ring;
   const Vector3 x = mesh.position[25] + Vector3(0, 0, 0.05);
   collapse_edge(
       mesh, {24, 25}, x,
@@ -104,7 +103,7 @@ void expect_factors_after_a_collapse(CurvatureOf of, Saturation saturation) {
         weighted.release(around, after), plain.release(around, after);
       },
       [&](const Collapse& done, const EdgeNeighborhood& around) {
-        weighted.merge(done, around, ring), plain.merge(done, around, ring);
+        weighted.merge(done, around), plain.merge(done, around);
       });
   for (int v : {17, 23, 24, 31, 33})
     for (int u = v + 1; u < mesh.connectivity.vertex_slots(); ++u) {

@@ -180,8 +180,7 @@ void collapse(WorkingMesh& mesh, Edge edge, const Vector3& x, Metrics&... metric
         (metrics.release(around, after), ...);
       },
       [&](const Collapse& done, const EdgeNeighborhood& around) {
-        VertexRing ring;
-        (metrics.merge(done, around, ring), ...);
+        (metrics.merge(done, around), ...);
       });
 }
 

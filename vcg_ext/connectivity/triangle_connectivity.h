@@ -27,6 +27,8 @@ struct Removed {
 /// them before and what they removed is counted afterwards.
 class TriangleConnectivity {
  public:
+  static constexpr int dead = -1;  ///< the corners of a face that is gone
+
   /// The faces around one vertex; valid until the next collapse.
   struct FaceRange {
     const int* first;
@@ -159,8 +161,6 @@ class TriangleConnectivity {
   }
 
  private:
-  static constexpr int dead = -1;
-
   struct List {
     int begin = 0, size = 0, capacity = 0;
   };

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <algorithm>
-#include <array>
 #include <vector>
 
 #include "vcg_ext/connectivity/edge_neighborhood.h"
@@ -20,7 +18,8 @@ class CurrentCurvature {
   void initialize(const Parallel& parallel) {
     angles_.resize(mesh_.plane.size());
     sums_.resize(mesh_.position.size());
-    parallel.for_each(static_cast<int>(angles_.size()), [this](int f) { update_angles(f); });
+    parallel.for_each(static_cast<int>(angles_.size()),
+                      [this](int f) { angles_[f] = corner_angles(mesh_, f); });
     parallel.for_each(static_cast<int>(sums_.size()), [this](int v) {
       sums_[v] = curvature_sums(mesh_, v, [this](int f, int i) { return angles_[f][i]; });
     });
@@ -39,7 +38,7 @@ class CurrentCurvature {
     sums_[keep] = {};
     for (int f : around.star()) {
       if (!mesh_.connectivity.alive(f)) continue;
-      update_angles(f);
+      angles_[f] = corner_angles(mesh_, f);
       add(f, 1.0, no_edge);
     }
   }
@@ -54,14 +53,9 @@ class CurrentCurvature {
         sums_[v].add(mesh_, f, i, angles_[f][i], sign);
   }
 
-  void update_angles(int f) {
-    const double first = corner_angle(mesh_, f, 0), second = corner_angle(mesh_, f, 1);
-    angles_[f] = {first, second, std::max(M_PI - first - second, 0.0)};
-  }
-
   const WorkingMesh& mesh_;
-  std::vector<std::array<double, 3>> angles_;  // by face and corner
-  std::vector<CurvatureSums> sums_;            // by vertex
+  std::vector<CornerAngles> angles_;  // by face
+  std::vector<CurvatureSums> sums_;   // by vertex
 };
 
 }  // namespace curvdecim

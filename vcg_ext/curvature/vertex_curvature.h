@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "vcg_ext/mesh/working_mesh.h"
@@ -50,6 +51,14 @@ inline double corner_angle(const WorkingMesh& mesh, int f, int i) {
   return std::atan2(2.0 * mesh.plane[f].area, u.dot(v));
 }
 
+using CornerAngles = std::array<double, 3>;
+
+/// All angles of face f, radians: what two leave of a half turn is the third.
+inline CornerAngles corner_angles(const WorkingMesh& mesh, int f) {
+  const double first = corner_angle(mesh, f, 0), second = corner_angle(mesh, f, 1);
+  return {first, second, std::max(M_PI - first - second, 0.0)};
+}
+
 /// What curvature is made of: sums over the faces around a vertex, so that a face can come and go.
 struct CurvatureSums {
   double angles = 0.0, area = 0.0;
@@ -88,7 +97,7 @@ CurvatureSums curvature_sums(const WorkingMesh& mesh, int v, AngleAt angle_at) {
 }
 
 inline VertexCurvature vertex_curvature(const WorkingMesh& mesh, int v) {
-  const auto angle_at = [&](int f, int i) { return corner_angle(mesh, f, i); };
+  const auto angle_at = [&](int f, int i) { return corner_angles(mesh, f)[i]; };
   return curvature_sums(mesh, v, angle_at).curvature(mesh.kind[v]);
 }
 

@@ -21,6 +21,11 @@ struct Symmetric3 {
     return *this;
   }
 
+  Symmetric3& operator-=(const Symmetric3& o) {
+    xx -= o.xx, xy -= o.xy, xz -= o.xz, yy -= o.yy, yz -= o.yz, zz -= o.zz;
+    return *this;
+  }
+
   Symmetric3 operator*(double s) const { return {s * xx, s * xy, s * xz, s * yy, s * yz, s * zz}; }
 
   double trace() const { return xx + yy + zz; }
@@ -35,9 +40,7 @@ struct Symmetric3 {
 
 inline Symmetric3 operator+(Symmetric3 a, const Symmetric3& b) { return a += b; }
 
-inline Symmetric3 operator-(const Symmetric3& a, const Symmetric3& b) {
-  return {a.xx - b.xx, a.xy - b.xy, a.xz - b.xz, a.yy - b.yy, a.yz - b.yz, a.zz - b.zz};
-}
+inline Symmetric3 operator-(Symmetric3 a, const Symmetric3& b) { return a -= b; }
 
 /// L D L^T of a positive definite matrix, to solve for several right sides.
 class Factorization3 {

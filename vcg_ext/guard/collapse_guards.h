@@ -30,7 +30,8 @@ class CollapseGuards {
         cos_input_normal_(params.preserve_normal ? least_cosine(from_input * params.normal_angle)
                                                  : -1.0),
         bound_(mesh, params.max_error) {
-    for (const FacePlane& plane : mesh.plane) input_normal_.push_back(plane.normal);
+    input_normal_.reserve(mesh.plane.size());
+    for (const FacePlane& plane : mesh.plane) input_normal_.push_back(plane.normal.cast<float>());
   }
 
   /// May the edge collapse to x? If so, `after` has the planes that the star would have.
@@ -40,9 +41,9 @@ class CollapseGuards {
       return {Rejection::LinkCondition};
     after.clear();
     for (int f : around.star()) {
-      const Triangle triangle = triangle_after(mesh_, f, around.edge(), x);
-      after.push_back(face_plane(triangle));
-      if (const auto reason = refusal_of_face(f, triangle, after.back())) return {reason};
+      const Triangle moved = triangle_after(mesh_, f, around.edge(), x);
+      after.push_back(face_plane(moved));
+      if (const auto reason = refusal_of_face(f, moved, after.back())) return {reason};
     }
     if (!bound_.active()) return {};
     const double bound = bound_.after(mesh_, around, x);
@@ -70,9 +71,10 @@ class CollapseGuards {
                                            const FacePlane& plane_after) const {
     const FacePlane& plane = mesh_.plane[f];
     if (turns_too_far(plane.normal, plane_after, cos_normal_) ||
-        turns_too_far(input_normal_[f], plane_after, cos_input_normal_))
+        turns_too_far(input_normal_[f].cast<double>(), plane_after, cos_input_normal_))
       return Rejection::NormalFlip;
-    if (spoils_shape(mesh_.triangle(f), plane.area, after, plane_after.area, least_shape_quality))
+    if (is_worse_shaped(after, plane_after.area, least_shape_quality) &&  // rarely
+        spoils_shape(mesh_.triangle(f), plane.area, after, plane_after.area, least_shape_quality))
       return Rejection::TriangleShape;
     return std::nullopt;
   }
@@ -80,7 +82,7 @@ class CollapseGuards {
   const WorkingMesh& mesh_;
   const bool link_condition_;  // also for the bound: without it a part may vanish
   const double cos_normal_, cos_input_normal_;
-  std::vector<Vector3> input_normal_;  // by face
+  std::vector<Eigen::Vector3f> input_normal_;  // by face
   ErrorBound bound_;
 };
 

@@ -8,10 +8,11 @@ namespace curvdecim {
 
 /// Face f with its corner at a or b moved to x.
 inline Triangle triangle_after(const WorkingMesh& mesh, int f, Edge edge, const Vector3& x) {
-  Triangle triangle = mesh.triangle(f);
-  for (int i = 0; i < 3; ++i)
-    if (const int v = mesh.connectivity.face(f)[i]; v == edge.a || v == edge.b) triangle[i] = x;
-  return triangle;
+  const Face& face = mesh.connectivity.face(f);
+  const auto corner = [&](int v) -> const Vector3& {
+    return v == edge.a || v == edge.b ? x : mesh.position[v];
+  };
+  return {corner(face[0]), corner(face[1]), corner(face[2])};
 }
 
 }  // namespace curvdecim

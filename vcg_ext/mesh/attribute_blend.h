@@ -18,7 +18,11 @@ struct BlendStep {
 
   int keep = none;  ///< none: nothing changes
   Face from{};
-  Barycentric weight{};
+  std::array<float, 3> weight{};  // barycentric: one record a collapse, so that it has to be small
+
+  static BlendStep at(int keep, const Face& from, const Barycentric& w) {
+    return {keep, from, {float(w[0]), float(w[1]), float(w[2])}};
+  }
 };
 
 /// Notes for every collapse where, on the surface just before it, the merged vertex takes its
@@ -46,9 +50,8 @@ class BlendRecord : public CollapseObserver {
 
  private:
   static BlendStep on_edge(const Collapse& collapse) {
-    return {collapse.keep,
-            {collapse.keep, collapse.gone, collapse.gone},
-            {1.0 - collapse.t, collapse.t, 0.0}};
+    return BlendStep::at(collapse.keep, {collapse.keep, collapse.gone, collapse.gone},
+                         {1.0 - collapse.t, collapse.t, 0.0});
   }
 
   static BlendStep nearest_on_surface(const WorkingMesh& mesh, const EdgeNeighborhood& around,
@@ -64,7 +67,8 @@ class BlendRecord : public CollapseObserver {
         const Barycentric weight = closest_point(triangle, x);
         const double distance2 = (at(triangle, weight) - x).squaredNorm();
         if (distance2 < least)
-          least = distance2, nearest = {collapse.keep, mesh.connectivity.face(f), weight};
+          least = distance2,
+          nearest = BlendStep::at(collapse.keep, mesh.connectivity.face(f), weight);
       }
     return nearest;
   }
@@ -86,10 +90,11 @@ Value blended(const BlendStep& step, const std::vector<Value>& from, const Value
   Value sum = otherwise;
   double weights = 0.0;
   for (int i = 0; i < 3; ++i) {
-    if (step.weight[i] == 0.0 || !is_finite(from[step.from[i]])) continue;
-    sum = weights == 0.0 ? Value(step.weight[i] * from[step.from[i]])
-                         : Value(sum + step.weight[i] * from[step.from[i]]);
-    weights += step.weight[i];
+    const double weight = step.weight[i];
+    const Value& value = from[step.from[i]];
+    if (weight == 0.0 || !is_finite(value)) continue;
+    sum = weights == 0.0 ? Value(weight * value) : Value(sum + weight * value);
+    weights += weight;
   }
   if (!(weights > 0.0)) return otherwise;
   return weights == 1.0 ? sum : Value(sum / weights);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <vector>
@@ -41,13 +42,17 @@ class ConstraintQuadrics {
       : mesh_(mesh),
         params_(params),
         weight_(weight),
-        cos_feature_(std::cos(radians(params.feature_angle))) {}
+        cos_feature_(std::cos(radians(params.feature_angle))),
+        cos_half_feature_(std::cos(0.5 * radians(params.feature_angle))) {}
 
   /// By vertex; empty where the mesh has no such edge.
   std::vector<Symmetric3> build(const Parallel& parallel) {
     if (!(params_.boundary_weight > 0.0)) return {};
+    std::vector<std::uint8_t> smooth(mesh_.connectivity.vertex_slots());  // by vertex
+    parallel.for_each(mesh_.connectivity.vertex_slots(), [&](int v) { smooth[v] = is_smooth(v); });
     std::vector<std::uint8_t> held(mesh_.connectivity.face_slots());  // by face: a bit an edge
-    parallel.for_each(mesh_.connectivity.face_slots(), [&](int f) { held[f] = held_edges(f); });
+    parallel.for_each(mesh_.connectivity.face_slots(),
+                      [&](int f) { held[f] = held_edges(f, smooth); });
     for (int f = 0; f < mesh_.connectivity.face_slots(); ++f)
       for (int i = 0; i < 3 && held[f] != 0; ++i)
         if (held[f] >> i & 1) add_plane(f, i);
@@ -57,10 +62,21 @@ class ConstraintQuadrics {
  private:
   static double radians(double degrees) { return degrees * (M_PI / 180.0); }
 
-  std::uint8_t held_edges(int f) const {
+  /// Sure to have no such edge: inside, and all faces turn from one of them by less than half the
+  /// angle of a feature.
+  bool is_smooth(int v) const {
+    if (mesh_.kind[v] != VertexKind::Interior) return false;
+    const auto faces = mesh_.connectivity.faces_of(v);
+    return std::all_of(faces.begin(), faces.end(), [&](int f) {
+      return mesh_.plane[f].normal.dot(mesh_.plane[*faces.begin()].normal) > cos_half_feature_;
+    });
+  }
+
+  std::uint8_t held_edges(int f, const std::vector<std::uint8_t>& smooth) const {
     const Face& face = mesh_.connectivity.face(f);
     unsigned held = 0;
     for (int i = 0; i < 3; ++i) {
+      if (smooth[face[i]] || smooth[face[(i + 1) % 3]]) continue;
       const int across = face_across(f, face[i], face[(i + 1) % 3]);
       if (across < 0 || is_feature(f, across)) held |= 1u << i;
     }
@@ -91,7 +107,7 @@ class ConstraintQuadrics {
   const WorkingMesh& mesh_;
   const DecimationParams& params_;
   const PlaneWeight weight_;
-  const double cos_feature_;
+  const double cos_feature_, cos_half_feature_;
   std::vector<Symmetric3> matrices_;
 };
 

@@ -33,8 +33,8 @@ class CurvatureAdditiveMetric {
     quadric_.release(around, after);
   }
 
-  void merge(const Collapse& collapse, const EdgeNeighborhood& around, VertexRing& ring) {
-    quadric_.merge(collapse, around, ring);
+  void merge(const Collapse& collapse, const EdgeNeighborhood& around) {
+    quadric_.merge(collapse, around);
   }
 
   void renumber(const Renumbering& numbers) { quadric_.renumber(numbers); }

@@ -8,6 +8,7 @@
 #include "vcg_ext/curvature/current_curvature.h"
 #include "vcg_ext/curvature/curvature_field.h"
 #include "vcg_ext/curvature/curvature_weight.h"
+#include "vcg_ext/mesh/vertex_ring.h"
 #include "vcg_ext/metric/quadric_metric.h"
 
 namespace curvdecim {
@@ -51,13 +52,14 @@ class CurvatureWeightedMetric {
     if (follows_current()) current_.release(around);
   }
 
-  void merge(const Collapse& collapse, const EdgeNeighborhood& around, VertexRing& ring) {
+  void merge(const Collapse& collapse, const EdgeNeighborhood& around) {
     if (!follows_current()) average(collapse.keep, collapse.gone);
     if (weighs_planes()) quadric_.set_factor(collapse.keep, root(saturation_[collapse.keep]));
-    quadric_.merge(collapse, around, ring);
+    quadric_.merge(collapse, around);
     if (!follows_current()) return;
     current_.merge(collapse.keep, around);
     update(collapse.keep);
+    VertexRing ring;
     gather_ring(mesh_, collapse.keep, ring);
     for (const RingVertex& u : ring) update(u.vertex);
   }

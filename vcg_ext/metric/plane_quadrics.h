@@ -7,9 +7,10 @@
 
 namespace curvdecim {
 
-/// The plane of a face about any of its corners, which it passes through.
-inline Symmetric3 plane_matrix(const FacePlane& plane, PlaneWeight weight) {
-  return Symmetric3::outer(plane.normal, weight == PlaneWeight::Area ? plane.area : 1.0);
+/// The plane of a face about any of its corners, which it passes through; factor: on its weight.
+inline Symmetric3 plane_matrix(const FacePlane& plane, PlaneWeight weight, double factor = 1.0) {
+  return Symmetric3::outer(plane.normal,
+                           weight == PlaneWeight::Area ? factor * plane.area : factor);
 }
 
 }  // namespace curvdecim

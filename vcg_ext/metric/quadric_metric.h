@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 #include <vector>
 
-#include "vcg_ext/mesh/vertex_ring.h"
 #include "vcg_ext/metric/candidate.h"
 #include "vcg_ext/metric/constraint_quadrics.h"
 #include "vcg_ext/metric/least_cost.h"
@@ -30,13 +30,11 @@ class QuadricMetric {
     const std::vector<Symmetric3> constraints =
         ConstraintQuadrics(mesh_, params_, params_.plane_weight).build(parallel);
     sum_.resize(mesh_.position.size());
-    memory_.resize(memoryless_ ? sum_.size() : 0);
     parallel.for_each(static_cast<int>(sum_.size()), [&](int v) {
-      Symmetric3& carried = memoryless_ ? memory_[v] : sum_[v].quadric.a;
-      carried = matrix_around(v);
-      if (!constraints.empty()) carried += constraints[v] * factor(v);
-      if (memoryless_) carried = carried * memory;
-      if (memoryless_) recompute(v);
+      const Symmetric3 around = matrix_around(v);
+      Symmetric3 input = around;
+      if (!constraints.empty()) input += constraints[v] * factor(v);
+      sum_[v].a = memoryless_ ? input * memory + around + boundary(v) : input;
     });
   }
 
@@ -44,7 +42,7 @@ class QuadricMetric {
   std::optional<Candidate> evaluate(Edge edge, Allowed allowed, const Vector3& wings) const {
     const Vector3 &a = mesh_.position[edge.a], &b = mesh_.position[edge.b];
     const Vector3 half = 0.5 * (b - a);
-    const QuadricOfEdge q = sum_about_midpoint(sum_[edge.a].quadric, sum_[edge.b].quadric, half);
+    const QuadricOfEdge q = sum_about_midpoint(sum_[edge.a], sum_[edge.b], half);
     const Placed placed =
         place(q, half, allowed, params_.placement, volume_plane(edge, half, allowed, wings));
     double cost = placed.value;
@@ -65,11 +63,10 @@ class QuadricMetric {
     costs.resize(others.size());
     if (params_.placement != Placement::Optimal) return estimate_one_by_one(v, others, costs);
     const Vector3& at = mesh_.position[v];
-    const Quadric& quadric = sum_[v].quadric;
-    const VertexPair both(at, quadric, at, quadric);
+    const VertexPair both(at, sum_[v], at, sum_[v]);
     for (std::size_t i = 0; i < others.size(); i += 2) {
       const int p = others[i], q = others[std::min(i + 1, others.size() - 1)];
-      const VertexPair pair(mesh_.position[p], sum_[p].quadric, mesh_.position[q], sum_[q].quadric);
+      const VertexPair pair(mesh_.position[p], sum_[p], mesh_.position[q], sum_[q]);
       const Pair cost = least_costs(both, pair, {relative_pull, rounding * rounding});
       costs[i] = cost[0];
       if (i + 1 < costs.size()) costs[i + 1] = cost[1];
@@ -77,51 +74,39 @@ class QuadricMetric {
   }
 
   /// Before a collapse: the vertices around the edge's ends lose the wings and see the star as it
-  /// will be. merged_factor: of the vertex that it leaves.
+  /// will be; the ends are left with what they remember. merged_factor: of the vertex that they
+  /// become.
   void release(const EdgeNeighborhood& around, const std::vector<FacePlane>& after,
                double merged_factor = 1.0) {
     if (!memoryless_) return;
-    for (int f : around.wings())
-      add_to_ring(f, around.edge(), matrix(f) * -1.0, -mesh_.plane[f].area_vector());
+    const Edge edge = around.edge();
+    if (!is_inside(edge.a) || !is_inside(edge.b)) return forget_current(around);
+    for (int f : around.wings()) {
+      const Symmetric3 lost = matrix(f);
+      for (int v : mesh_.connectivity.face(f)) sum_[v].a -= lost;
+    }
     for (std::size_t i = 0; i < after.size(); ++i) {
       const int f = around.star()[i];
-      const double factor = factor_after(f, around.edge(), merged_factor);
-      add_to_ring(f, around.edge(),
-                  plane_matrix(after[i], params_.plane_weight) * factor - matrix(f),
-                  after[i].area_vector() - mesh_.plane[f].area_vector());
+      const Symmetric3 lost = matrix(f);
+      const Symmetric3 won =
+          plane_matrix(after[i], params_.plane_weight, factor_after(f, edge, merged_factor));
+      for (int v : mesh_.connectivity.face(f))
+        sum_[v].a += v == edge.a || v == edge.b ? lost * -1.0 : won - lost;
     }
   }
 
-  /// After it: the merged vertex gets what its ends remember and the faces around it. ring:
-  /// scratch.
-  void merge(const Collapse& collapse, const EdgeNeighborhood& around, VertexRing& ring) {
+  /// After it: the merged vertex gets what its ends remember and the faces around it.
+  void merge(const Collapse& collapse, const EdgeNeighborhood& around) {
     const auto [keep, gone, keep_was, gone_was, now, t] = collapse;
-    if (!memoryless_) {
-      sum_[keep].quadric = sum_[keep].quadric.with_origin_moved(now - keep_was) +
-                           sum_[gone].quadric.with_origin_moved(now - gone_was);
-      return;
-    }
-    sum_[keep] = {remembered(keep).with_origin_moved(now - keep_was) +
-                  remembered(gone).with_origin_moved(now - gone_was)};
-    memory_[keep] = sum_[keep].quadric.a;
-    bool doubled = false;  // faces that fell onto others are gone again
-    for (int f : around.star()) {
-      if (!mesh_.connectivity.alive(f)) {
-        doubled = true;
-        continue;
-      }
-      sum_[keep].quadric.a += matrix(f);
-      sum_[keep].gradient += mesh_.plane[f].area_vector();
-    }
-    if (mesh_.kind[keep] == VertexKind::Interior && !doubled) return;
-    recompute(keep);
-    gather_ring(mesh_, keep, ring);
-    for (const RingVertex& u : ring)
-      if (doubled || mesh_.kind[u.vertex] == VertexKind::Boundary) recompute(u.vertex);
+    sum_[keep] =
+        sum_[keep].with_origin_moved(now - keep_was) + sum_[gone].with_origin_moved(now - gone_was);
+    if (!memoryless_) return;
+    if (!is_inside(keep)) return see_current(around, keep);
+    for (int f : around.star()) sum_[keep].a += matrix(f);
   }
 
   void renumber(const Renumbering& numbers) {
-    numbers.vertices(sum_), numbers.vertices(memory_);
+    numbers.vertices(sum_);
     if (!factor_.empty()) numbers.vertices(factor_);
   }
 
@@ -140,16 +125,9 @@ class QuadricMetric {
   /// worn away collapse by collapse, too little to show elsewhere.
   static constexpr double memory = 0.1;
 
-  /// What an evaluation reads of a vertex.
-  struct Sum {
-    Quadric quadric;  // about the vertex; memoryless: of the planes remembered and current
-    Vector3 gradient = Vector3::Zero();  // memoryless: area_vector_around
-  };
-
   /// Of the plane of face f, about any of its corners.
   Symmetric3 matrix(int f) const {
-    const Symmetric3 plane = plane_matrix(mesh_.plane[f], params_.plane_weight);
-    return factor_.empty() ? plane : plane * factor_after(f, no_edge, 0.0);
+    return plane_matrix(mesh_.plane[f], params_.plane_weight, factor_after(f, no_edge, 0.0));
   }
 
   /// The mean of the factors of face f's corners, if the edge's ends became one vertex.
@@ -161,30 +139,47 @@ class QuadricMetric {
     return sum / 3.0;
   }
 
-  /// To the sums of the corners that are not on the edge.
-  void add_to_ring(int f, Edge edge, const Symmetric3& matrix, const Vector3& area_vector) {
-    for (int v : mesh_.connectivity.face(f)) {
-      if (v == edge.a || v == edge.b) continue;
-      sum_[v].quadric.a += matrix;
-      sum_[v].gradient += area_vector;
-    }
-  }
-
   Symmetric3 matrix_around(int v) const {
     Symmetric3 sum;
     for (int f : mesh_.connectivity.faces_of(v)) sum += matrix(f);
     return sum;
   }
 
-  /// All current planes pass through the vertex, so that they add to the matrix only.
-  Quadric remembered(int v) const { return {memory_[v], sum_[v].quadric.b, sum_[v].quadric.c}; }
+  /// What a memoryless vertex has for the mesh as it is. All planes pass through it, so that they
+  /// add to its matrix only.
+  Symmetric3 current_matrix(int v) const { return matrix_around(v) + boundary(v); }
 
-  void recompute(int v) {
-    Symmetric3& sum = sum_[v].quadric.a;
-    sum = memory_[v] + matrix_around(v);
-    if (mesh_.kind[v] == VertexKind::Boundary)
-      sum += boundary_matrix(mesh_, v, params_.plane_weight) * params_.boundary_weight;
-    sum_[v].gradient = area_vector_around(mesh_, v);
+  Symmetric3 boundary(int v) const {
+    if (mesh_.kind[v] != VertexKind::Boundary) return {};
+    return boundary_matrix(mesh_, v, params_.plane_weight) * params_.boundary_weight;
+  }
+
+  /// Around it a collapse changes no boundary, and no face falls onto another.
+  bool is_inside(int v) const {
+    return params_.preserve_topology && mesh_.kind[v] == VertexKind::Interior;
+  }
+
+  void forget_current(const EdgeNeighborhood& around) {
+    const auto [a, b] = around.edge();
+    sum_[a].a -= current_matrix(a), sum_[b].a -= current_matrix(b);
+    for (int v : ring_of(around)) sum_[v].a -= current_matrix(v);
+  }
+
+  void see_current(const EdgeNeighborhood& around, int keep) {
+    sum_[keep].a += current_matrix(keep);
+    for (int v : ring_of(around)) sum_[v].a += current_matrix(v);
+  }
+
+  /// The neighbours of the edge's ends, before the collapse as after it.
+  std::vector<int> ring_of(const EdgeNeighborhood& around) const {
+    std::vector<int> ring = around.thirds();
+    for (int f : around.star())
+      for (int v : mesh_.connectivity.face(f))
+        if (v != TriangleConnectivity::dead && v != around.edge().a && v != around.edge().b)
+          ring.push_back(v);
+    std::sort(ring.begin(), ring.end());
+    ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
+    return ring;
   }
 
   /// The two faces at the edge lie around both ends and count once. None where the volume is not
@@ -194,16 +189,15 @@ class QuadricMetric {
     if (!memoryless_ || allowed != Allowed::Anywhere || params_.placement != Placement::Optimal ||
         mesh_.kind[edge.a] != VertexKind::Interior)
       return std::nullopt;
-    const Vector3 &a = sum_[edge.a].gradient, &b = sum_[edge.b].gradient;
+    const Vector3 a = area_vector_around(mesh_, edge.a), b = area_vector_around(mesh_, edge.b);
     return VolumePlane{a + b - wings, half.dot(b - a)};
   }
 
   const WorkingMesh& mesh_;
   const EdgeCollapseParams& params_;
   const bool memoryless_;
-  std::vector<Sum> sum_;            // by vertex
-  std::vector<Symmetric3> memory_;  // by vertex, memoryless: of the input's planes it has met
-  std::vector<double> factor_;      // by vertex, or empty: on the weight of planes
+  std::vector<Quadric> sum_;    // by vertex, about it; memoryless: of planes remembered and current
+  std::vector<double> factor_;  // by vertex, or empty: on the weight of planes
 };
 
 }  // namespace curvdecim

@@ -19,7 +19,7 @@ namespace curvdecim {
 ///
 /// `Metric` has initialize(parallel), evaluate(edge, allowed, wings) -> optional<Candidate>,
 /// estimate(v, others, costs), release(around, after) before a collapse, with the planes that the
-/// star gets, merge(collapse, around, scratch) after it, and renumber(numbers).
+/// star gets, merge(collapse, around) after it, and renumber(numbers).
 template <class MetricType>
 class EdgeCollapser {
  public:
@@ -144,7 +144,7 @@ class EdgeCollapser {
           done.t * (mesh_.importance[done.gone] - mesh_.importance[done.keep]);
     for (std::size_t i = 0; i < around.star().size(); ++i)
       mesh_.plane[around.star()[i]] = scratch.after[i];
-    metric_.merge(done, around, scratch.ring);
+    metric_.merge(done, around);
     return {done.keep, done.gone, removed};
   }
 

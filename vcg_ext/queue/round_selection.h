@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
+#include <numeric>
 #include <vector>
 
 #include "vcg_ext/queue/edge_choices.h"
@@ -86,18 +88,28 @@ class RoundSelection {
   /// A small class is sorted by cost. In a large one single edges do not show in the result: its
   /// order is that of the vertices, so that memory is read in order.
   void sort_into_classes(const EdgeChoices& choices) {
-    for (auto& candidates : class_) candidates.clear();
-    for (int v = 0; v < connectivity_.vertex_slots(); ++v) {
-      const Priority priority = choices.priority(v);
-      if (limit() < priority || !choices.exists(v)) continue;
-      const auto c = std::lower_bound(limit_.begin(), limit_.end(), priority) - limit_.begin();
-      class_[c].push_back({priority, {v, choices.of(v).partner}});
-    }
-    candidates_.clear();
-    for (auto& candidates : class_) {
-      if (candidates.size() <= small_class) std::sort(candidates.begin(), candidates.end());
-      candidates_.insert(candidates_.end(), candidates.begin(), candidates.end());
-    }
+    const int vertices = connectivity_.vertex_slots();
+    std::array<std::size_t, classes + 2> end{};
+    class_of_.resize(vertices);
+    for (int v = 0; v < vertices; ++v) ++end[1 + (class_of_[v] = class_of(choices, v))];
+    std::partial_sum(end.begin(), end.end(), end.begin());
+    const auto begin = end;
+    candidates_.resize(end[classes]);
+    for (int v = 0; v < vertices; ++v)
+      if (class_of_[v] < classes)
+        candidates_[end[class_of_[v]]++] = {choices.priority(v), {v, choices.of(v).partner}};
+    for (int c = 0; c < classes; ++c)
+      if (end[c] - begin[c] <= small_class)
+        std::sort(candidates_.begin() + begin[c], candidates_.begin() + end[c]);
+  }
+
+  /// `classes` for what is no candidate.
+  std::uint8_t class_of(const EdgeChoices& choices, int v) const {
+    const Priority priority = choices.priority(v);
+    if (limit() < priority || !choices.exists(v)) return classes;
+    int c = 0;
+    while (limit_[c] < priority) ++c;
+    return static_cast<std::uint8_t>(c);
   }
 
   bool merged(int v) const { return merged_in_[v] == round_; }
@@ -124,8 +136,8 @@ class RoundSelection {
   std::vector<int> merged_in_;  // by vertex: the last round in which it was an end of a collapse
   std::vector<Priority> sample_;
   std::array<Priority, classes> limit_;  // of each class
-  std::array<std::vector<Candidate>, classes> class_;
-  std::vector<Candidate> candidates_;  // that have not been picked
+  std::vector<std::uint8_t> class_of_;   // by vertex
+  std::vector<Candidate> candidates_;    // that have not been picked
   std::vector<Edge> edges_;
 };
 

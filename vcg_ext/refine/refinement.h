@@ -78,7 +78,8 @@ class Refinement {
     std::vector<BlendStep> steps;
     for (std::size_t v = 0; v < from.size(); ++v)
       if (from[v].found())
-        steps.push_back({mesh_.vertex_origin[v], input_.face[from[v].face], from[v].weight});
+        steps.push_back(
+            BlendStep::at(mesh_.vertex_origin[v], input_.face[from[v].face], from[v].weight));
     return steps;
   }
 
