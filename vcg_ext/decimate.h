@@ -36,6 +36,12 @@ inline std::vector<BlendStep> refine(WorkingMesh& mesh, const InputSurface& inpu
   return refinement.attributes();
 }
 
+/// To have room for: the rounds number some that are refused in the end.
+inline std::size_t expected_collapses(const WorkingMesh& mesh, const StopCriterion& stop) {
+  constexpr double ample = 1.2;
+  return static_cast<std::size_t>(ample * std::max(0.0, stop.collapses_left(mesh.connectivity)));
+}
+
 /// The run itself; the mesh changes at its end only. Throws InputError and CancelRequest.
 template <class MeshType>
 void run_edge_collapse(MeshType& mesh, EdgeCollapseParams params, ProgressMeter& progress,
@@ -45,7 +51,8 @@ void run_edge_collapse(MeshType& mesh, EdgeCollapseParams params, ProgressMeter&
   params.max_error /= snapshot.diagonal;
   const std::optional<StopCriterion> stop = set_up(mesh, params, snapshot, report);
   if (!stop) return;
-  BlendRecord blend(has_varying_attributes(mesh, snapshot));
+  BlendRecord blend(has_varying_attributes(mesh, snapshot),
+                    expected_collapses(snapshot.mesh, *stop));
   std::optional<WedgeTexture> wedges = read_wedges(mesh, snapshot);
   note_attributes(mesh, snapshot, wedges, report);
   std::optional<InputSurface> input;
@@ -59,7 +66,7 @@ void run_edge_collapse(MeshType& mesh, EdgeCollapseParams params, ProgressMeter&
   std::vector<BlendStep> refined;
   if (input) refined = refine(snapshot.mesh, *input, params, wedges, parallel, progress);
   report.max_error *= snapshot.diagonal;
-  WriteBack<MeshType>(mesh, snapshot).run(blend.steps(), refined, wedges);
+  WriteBack<MeshType>(mesh, snapshot).run(blend, refined, wedges);
 }
 
 /// Decimates a vcg triangle mesh by edge collapse, in place.

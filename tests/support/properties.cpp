@@ -61,14 +61,16 @@ int count_components(const Shape& shape) {
   return static_cast<int>(roots.size());
 }
 
-/// By face: whether its component is down to four faces.
-std::vector<bool> lies_in_tetrahedron(const Shape& shape) {
+/// By face: whether its component is a tetrahedron or two of them: next to nothing is left of it,
+/// and the input's nearest point to a face may lie on its other side.
+std::vector<bool> lies_in_few_faces(const Shape& shape) {
+  constexpr int few = 6;
   DisjointSets sets(shape.vertex_count());
   for (const Corners& f : shape.faces) sets.join(f[0], f[1]), sets.join(f[1], f[2]);
   std::map<int, int> faces;
   for (const Corners& f : shape.faces) ++faces[sets.root(f[0])];
   std::vector<bool> result;
-  for (const Corners& f : shape.faces) result.push_back(faces[sets.root(f[0])] == 4);
+  for (const Corners& f : shape.faces) result.push_back(faces[sets.root(f[0])] <= few);
   return result;
 }
 
@@ -270,12 +272,12 @@ double volume(const Shape& shape) {
 int flipped_faces(const Shape& original, const Shape& simplified) {
   const double negligible = 2e-12 * diagonal(original) * diagonal(original);
   const Surface surface(original);
-  const std::vector<bool> tetrahedron = lies_in_tetrahedron(simplified);
+  const std::vector<bool> few = lies_in_few_faces(simplified);
   int flipped = 0;
   for (int i = 0; i < simplified.face_count(); ++i) {
     const Corners& f = simplified.faces[i];
     const Point normal = double_area(simplified, f);
-    if (normal.norm() <= negligible || tetrahedron[i]) continue;
+    if (normal.norm() <= negligible || few[i]) continue;
     const int there = surface.nearest(centre(simplified, f)).face;
     flipped += normal.dot(double_area(original, original.faces[there])) <= 0.0;
   }

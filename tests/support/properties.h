@@ -35,7 +35,7 @@ double volume(const Shape& shape);  ///< of a closed shape
 
 /// Faces whose normal opposes that of the original at the point nearest to their centre; faces of
 /// less than 1e-12 of the squared diagonal have no reliable normal and do not count, nor do those
-/// of a component that is down to a tetrahedron: the nearest point to a face's centre may lie
+/// of a component that is down to six faces: the nearest point to a face's centre may lie
 /// behind it.
 int flipped_faces(const Shape& original, const Shape& simplified);
 

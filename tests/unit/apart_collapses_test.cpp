@@ -66,10 +66,10 @@ class ApartCollapsesOn : public testing::TestWithParam<NamedShape> {
       for (int i = 0; i < 3; ++i) {
         const auto [a, b] =
             std::minmax(connectivity_.face(f)[i], connectivity_.face(f)[(i + 1) % 3]);
-        choices.offer(a, {{0.0, 0.0}, b});
+        if (!choices.exists(a) || b < choices.of(a).partner) choices.set(a, {{0.0, 0.0}, b});
       }
-    RoundSelection selection(connectivity_);
-    selection.begin(choices, 0.25), selection.pick();
+    RoundSelection selection(connectivity_, choices);
+    selection.begin(0.25), selection.pick();
     edges_ = selection.edges();
   }
 
@@ -86,7 +86,8 @@ class ApartCollapsesOn : public testing::TestWithParam<NamedShape> {
 };
 
 TEST_P(ApartCollapsesOn, MoveNoListButTheirOwnOnceRoomIsMade) {
-  for (Edge edge : edges_) connectivity_.make_room(edge.a, edge.b);
+  for (Edge edge : edges_)
+    connectivity_.make_room(edge.a, edge.b, connectivity_.edge_valence(edge.a, edge.b));
   std::vector<const int*> expected = places();
   for (Edge edge : edges_) {
     connectivity_.collapse(edge.a, edge.b);
@@ -100,7 +101,8 @@ TEST_P(ApartCollapsesOn, GiveTheSameAtTheSameTimeAsInTurn) {
   ASSERT_GT(edges_.size(), 1u);
   TriangleConnectivity in_turn = connectivity_;
   for (Edge edge : edges_) in_turn.count(in_turn.collapse(edge.a, edge.b));
-  for (Edge edge : edges_) connectivity_.make_room(edge.a, edge.b);
+  for (Edge edge : edges_)
+    connectivity_.make_room(edge.a, edge.b, connectivity_.edge_valence(edge.a, edge.b));
   std::vector<Removed> removed(edges_.size());
   Parallel(3).for_each(
       static_cast<int>(edges_.size()),

@@ -71,11 +71,6 @@ EdgeChoices one_choice() {
   return choices;
 }
 
-int partner_after_offer(EdgeChoices choices, const EdgeChoice& offered) {
-  choices.offer(0, offered);
-  return choices.of(0).partner;
-}
-
 TEST(EdgeChoices, AreNoneAtFirst) {
   const EdgeChoices choices(4);
   for (int v = 0; v < 4; ++v) {
@@ -85,7 +80,7 @@ TEST(EdgeChoices, AreNoneAtFirst) {
   }
 }
 
-TEST(EdgeChoices, KeepWhatIsSetUntilItIsRemoved) {
+TEST(EdgeChoices, KeepWhatWasSetLast) {
   EdgeChoices choices = one_choice();
   EXPECT_TRUE(choices.exists(0));
   EXPECT_EQ(choices.of(0).partner, 2);
@@ -93,28 +88,9 @@ TEST(EdgeChoices, KeepWhatIsSetUntilItIsRemoved) {
   EXPECT_FALSE(choices.exists(1));
   choices.set(0, {{3.0, 0.5}, 3});  // dearer, and yet
   EXPECT_EQ(choices.of(0).partner, 3);
-  choices.remove(0);
+  choices.set(0, {});
   EXPECT_FALSE(choices.exists(0));
   EXPECT_TRUE(choices.priority(0) == Priority());
-}
-
-TEST(EdgeChoices, TakeAnOfferThatComesBeforeTheirs) {
-  EXPECT_EQ(partner_after_offer(one_choice(), {{1.0, 0.9}, 3}), 3);
-  EXPECT_EQ(partner_after_offer(one_choice(), {{2.0, 0.4}, 3}), 3);
-  EXPECT_EQ(partner_after_offer(one_choice(), {{2.0, 0.5}, 1}), 1);
-  EXPECT_EQ(partner_after_offer(EdgeChoices(4), {{HUGE_VAL, 1.0}, 3}), 3);
-}
-
-TEST(EdgeChoices, TurnDownAnOfferThatDoesNot) {
-  EXPECT_EQ(partner_after_offer(one_choice(), {{3.0, 0.1}, 3}), 2);
-  EXPECT_EQ(partner_after_offer(one_choice(), {{2.0, 0.6}, 1}), 2);
-  EXPECT_EQ(partner_after_offer(one_choice(), {{2.0, 0.5}, 3}), 2);
-}
-
-TEST(EdgeChoices, AreLeftAloneByAnOfferOfNoEdge) {
-  EXPECT_EQ(partner_after_offer(one_choice(), {}), 2);
-  EXPECT_EQ(partner_after_offer(one_choice(), {{0.0, 0.0}, EdgeChoice::none}), 2);
-  EXPECT_EQ(partner_after_offer(EdgeChoices(4), {}), EdgeChoice::none);
 }
 
 }  // namespace

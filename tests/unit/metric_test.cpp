@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "support/drawn_meshes.h"
@@ -52,7 +53,15 @@ TEST(PlaneQuadrics, AreWeightedByAreaOrNot) {
 
 std::vector<Symmetric3> constraints(const Shape& shape, const DecimationParams& params) {
   const WorkingMesh mesh = working_mesh(shape);
-  return ConstraintQuadrics(mesh, params, PlaneWeight::Area).build(Parallel(1));
+  std::vector<Symmetric3> sums(mesh.position.size());
+  ConstraintQuadrics(mesh, params, PlaneWeight::Area)
+      .build(Parallel(1), [&](int v, const Symmetric3& plane) { sums[v] += plane; });
+  return sums;
+}
+
+bool has_constraints(const Shape& shape, const DecimationParams& params) {
+  const std::vector<Symmetric3> all = constraints(shape, params);
+  return std::any_of(all.begin(), all.end(), [](const Symmetric3& m) { return m.trace() > 0.0; });
 }
 
 /// What it costs by the constraints to move vertex v by `step`.
@@ -76,10 +85,10 @@ TEST(ConstraintQuadrics, GrowInProportionToTheWeight) {
 }
 
 TEST(ConstraintQuadrics, AreNoneOnASmoothClosedMeshOrWithoutWeight) {
-  EXPECT_TRUE(constraints(icosphere(2), {}).empty());
+  EXPECT_FALSE(has_constraints(icosphere(2), {}));
   DecimationParams params;
   params.boundary_weight = 0.0;
-  EXPECT_TRUE(constraints(plane_grid(4), params).empty());
+  EXPECT_FALSE(has_constraints(plane_grid(4), params));
 }
 
 TEST(ConstraintQuadrics, HoldFeaturesFromTheirAngleOn) {
@@ -89,7 +98,7 @@ TEST(ConstraintQuadrics, HoldFeaturesFromTheirAngleOn) {
   params.feature_angle = 100.0;
   EXPECT_EQ(cost_of_step(ridge(), params, 12, {0.1, 0, 0}), 0.0);
   params.feature_angle = 180.0;
-  EXPECT_TRUE(constraints(cube(), params).empty());
+  EXPECT_FALSE(has_constraints(cube(), params));
 }
 
 // --- quadric -------------------------------------------------------------------------------------
@@ -156,7 +165,7 @@ TEST(CurvatureWeightedMetric, IsTheQuadricTimesTheFactorOfBothEnds) {
       std::abs(vertex_curvature(mesh, 24).gaussian) + std::abs(vertex_curvature(mesh, 25).gaussian);
   const double plain = evaluated(QuadricMetric(mesh, params), {24, 25}, Allowed::OntoA).cost;
   EXPECT_NEAR(weighted_cost(mesh, params, {24, 25}), plain * (1.0 - std::exp(-0.1 * k)),
-              1e-15 * plain);
+              1e-6 * plain);  // saturations are floats
 }
 
 TEST(CurvatureWeightedMetric, WithInfiniteAlphaIsTheQuadric) {
@@ -210,7 +219,7 @@ TEST(CurvatureWeightedMetric, SeesTheCurvatureOfTheCurrentMesh) {
     const double expected = plain.evaluate(edge, Allowed::OntoA, wings_of(mesh, edge))->cost *
                             -std::expm1(-0.1 * (absolute(edge.a) + absolute(edge.b)));
     EXPECT_NEAR(weighted.evaluate(edge, Allowed::OntoA, wings_of(mesh, edge))->cost, expected,
-                1e-9 * expected);
+                1e-6 * expected);
   }
 }
 
@@ -229,7 +238,7 @@ TEST(QuadricMetric, MemorylessIsOfTheCurrentMeshAndATenthOfTheInput) {
     const Symmetric3 planes = planes_around(mesh, edge.b, PlaneWeight::Area) +
                               planes_around(input, edge.b, PlaneWeight::Area) * 0.1;
     EXPECT_NEAR(metric.evaluate(edge, Allowed::OntoA, wings_of(mesh, edge))->cost,
-                step.dot(planes * step), 1e-12);
+                step.dot(planes * step), 1e-7);
   }
 }
 
@@ -277,7 +286,7 @@ TEST(CurvatureWeightedMetric, ScaleFreeGivesARootOfTheFactorToThePlanesAndOneToT
     const Symmetric3 planes =
         weighted_planes(mesh, edge.b, now) + weighted_planes(input, edge.b, before) * 0.1;
     EXPECT_NEAR(metric.evaluate(edge, Allowed::OntoA, wings_of(mesh, edge))->cost,
-                0.5 * (now[edge.a] + now[edge.b]) * step.dot(planes * step), 1e-12);
+                0.5 * (now[edge.a] + now[edge.b]) * step.dot(planes * step), 1e-7);
   }
 }
 

@@ -20,7 +20,8 @@ EdgeChoices shortest_edges(const WorkingMesh& mesh) {
       const Face& face = mesh.connectivity.face(f);
       const auto [a, b] = std::minmax(face[i], face[(i + 1) % 3]);
       const double length2 = (mesh.position[a] - mesh.position[b]).squaredNorm();
-      choices.offer(a, {{length2, length2}, b});
+      const EdgeChoice choice{{length2, length2}, b};
+      if (!choices.exists(a) || choice < choices.of(a)) choices.set(a, choice);
     }
   return choices;
 }
@@ -50,11 +51,11 @@ class RoundSelectionOn : public testing::TestWithParam<NamedShape> {
  protected:
   WorkingMesh mesh_ = working_mesh(GetParam().shape);
   EdgeChoices choices_ = shortest_edges(mesh_);
-  RoundSelection selection_{mesh_.connectivity};
+  RoundSelection selection_{mesh_.connectivity, choices_};
 };
 
 TEST_P(RoundSelectionOn, PicksEdgesThatLieApart) {
-  selection_.begin(choices_, share);
+  selection_.begin(share);
   for (int picks = 0; picks < 3; ++picks) {
     selection_.pick();
     std::set<int> taken;
@@ -67,7 +68,7 @@ TEST_P(RoundSelectionOn, PicksEdgesThatLieApart) {
 }
 
 TEST_P(RoundSelectionOn, PicksChoicesThatCostNoMoreThanTheLimit) {
-  selection_.begin(choices_, share);
+  selection_.begin(share);
   selection_.pick();
   EXPECT_FALSE(selection_.edges().empty());
   for (Edge edge : selection_.edges()) {
@@ -77,7 +78,7 @@ TEST_P(RoundSelectionOn, PicksChoicesThatCostNoMoreThanTheLimit) {
 }
 
 TEST_P(RoundSelectionOn, PassesOverOnlyWhatTouchesAPickOrIsDearer) {
-  selection_.begin(choices_, share);
+  selection_.begin(share);
   selection_.pick();
   std::set<int> taken;
   for (Edge edge : selection_.edges()) taken.merge(neighborhood(mesh_, edge));
@@ -88,7 +89,7 @@ TEST_P(RoundSelectionOn, PassesOverOnlyWhatTouchesAPickOrIsDearer) {
 }
 
 TEST_P(RoundSelectionOn, PicksEveryCandidateOnce) {
-  selection_.begin(choices_, share);
+  selection_.begin(share);
   const int candidates = selection_.candidates();
   std::set<std::pair<int, int>> picked;
   while (selection_.candidates() > 0) {
@@ -99,7 +100,7 @@ TEST_P(RoundSelectionOn, PicksEveryCandidateOnce) {
 }
 
 TEST_P(RoundSelectionOn, PicksNoEdgeOfAVertexMergedInTheRound) {
-  selection_.begin(choices_, share);
+  selection_.begin(share);
   std::set<int> merged;
   while (selection_.candidates() > 0) {
     selection_.pick();
@@ -109,20 +110,20 @@ TEST_P(RoundSelectionOn, PicksNoEdgeOfAVertexMergedInTheRound) {
       selection_.set_merged(edge);
     }
   }
-  selection_.begin(choices_, share);
+  selection_.begin(share);
   selection_.pick();
   EXPECT_FALSE(selection_.edges().empty()) << "a new round";
 }
 
 TEST_P(RoundSelectionOn, PicksTheSameAgain) {
-  RoundSelection other(mesh_.connectivity);
+  RoundSelection other(mesh_.connectivity, choices_);
   for (RoundSelection* selection : {&selection_, &other}) {
-    selection->begin(choices_, share);
+    selection->begin(share);
     selection->pick();
   }
   const auto once = pairs(selection_.edges());
   EXPECT_EQ(pairs(other.edges()), once);
-  selection_.begin(choices_, share);
+  selection_.begin(share);
   selection_.pick();
   EXPECT_EQ(pairs(selection_.edges()), once);
 }
@@ -131,7 +132,7 @@ TEST_P(RoundSelectionOn, PicksTheCheapestOfAllFirst) {
   int cheapest = 0;
   for (int v = 0; v < mesh_.connectivity.vertex_slots(); ++v)
     if (choices_.priority(v) < choices_.priority(cheapest)) cheapest = v;
-  selection_.begin(choices_, share);
+  selection_.begin(share);
   selection_.pick();
   EXPECT_EQ(selection_.edges().at(0).a, cheapest);
 }
@@ -149,8 +150,8 @@ TEST(RoundSelection, LooksAtACheapestShareOfTheChoices) {
     for (double part : {0.25, 0.8}) {
       const WorkingMesh mesh = working_mesh(noisy_sphere(subdivisions, 0.01));
       const EdgeChoices choices = shortest_edges(mesh);
-      RoundSelection selection(mesh.connectivity);
-      selection.begin(choices, part);
+      RoundSelection selection(mesh.connectivity, choices);
+      selection.begin(part);
       int all = 0;
       for (int v = 0; v < mesh.connectivity.vertex_slots(); ++v) all += choices.exists(v);
       EXPECT_NEAR(selection.candidates(), part * all, 0.05 * all);
@@ -159,11 +160,13 @@ TEST(RoundSelection, LooksAtACheapestShareOfTheChoices) {
 
 TEST(RoundSelection, PicksNothingWhereNothingIsChosen) {
   const WorkingMesh mesh = working_mesh(icosphere(2));
-  RoundSelection selection(mesh.connectivity);
-  selection.begin(shortest_edges(mesh), share);
+  EdgeChoices choices = shortest_edges(mesh);
+  RoundSelection selection(mesh.connectivity, choices);
+  selection.begin(share);
   selection.pick();
   ASSERT_FALSE(selection.edges().empty());
-  selection.begin(EdgeChoices(mesh.connectivity.vertex_slots()), share);
+  choices = EdgeChoices(mesh.connectivity.vertex_slots());
+  selection.begin(share);
   EXPECT_EQ(selection.candidates(), 0);
   selection.pick();
   EXPECT_TRUE(selection.edges().empty());

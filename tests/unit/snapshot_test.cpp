@@ -50,7 +50,7 @@ TEST(Snapshot, RefersToTheSameFacesInTheSameOrientation) {
   for (int f = 0; f < shape.face_count(); ++f)
     for (int i = 0; i < 3; ++i)
       EXPECT_EQ(snapshot.vertex_of[snapshot.mesh.connectivity.face(f)[i]],
-                shape.faces[snapshot.face_of[f]][i]);
+                shape.faces[snapshot.mesh.face_origin[f]][i]);
 }
 
 TEST(Snapshot, NumbersNeighboursInSpaceAlike) {
@@ -70,7 +70,7 @@ TEST(Snapshot, OfATwinKeepsTheFirstFace) {
   shape.faces.insert(shape.faces.begin(), shape.faces[5]);
   const Snapshot snapshot = snapshot_of(shape);
   EXPECT_EQ(snapshot.unusable, (std::vector<int>{6}));
-  EXPECT_EQ(std::count(snapshot.face_of.begin(), snapshot.face_of.end(), 0), 1);
+  EXPECT_EQ(std::count(snapshot.mesh.face_origin.begin(), snapshot.mesh.face_origin.end(), 0), 1);
 }
 
 TEST(Snapshot, LeavesOutDeletedAndUnusedElements) {
@@ -80,7 +80,7 @@ TEST(Snapshot, LeavesOutDeletedAndUnusedElements) {
   const Snapshot snapshot = take_snapshot(mesh, Parallel(1));
   EXPECT_EQ(snapshot.mesh.connectivity.face_count(), 8);
   EXPECT_EQ(sorted(snapshot.vertex_of), (std::vector<int>{3, 4, 5, 6, 7, 8}));
-  EXPECT_EQ(sorted(snapshot.face_of), (std::vector<int>{1, 2, 3, 4, 5, 6, 7, 8}));
+  EXPECT_EQ(sorted(snapshot.mesh.face_origin), (std::vector<int>{1, 2, 3, 4, 5, 6, 7, 8}));
 }
 
 TEST(Snapshot, NamesTheFacesThatCannotBeUsed) {
@@ -98,7 +98,7 @@ TEST(Snapshot, ReadsTheSelection) {
   mesh.face[3].SetS();
   const Snapshot snapshot = take_snapshot(mesh, Parallel(1));
   for (std::size_t f = 0; f < snapshot.selected.size(); ++f)
-    EXPECT_EQ(snapshot.selected[f], snapshot.face_of[f] == 3);
+    EXPECT_EQ(snapshot.selected[f], snapshot.mesh.face_origin[f] == 3);
 }
 
 TEST(Snapshot, IsTheSameForAMeshScaledByAPowerOfTwo) {

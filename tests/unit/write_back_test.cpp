@@ -35,7 +35,7 @@ class WriteBackOf : public testing::Test {
   }
 
   void write(const std::vector<BlendStep>& steps = {}) {
-    WriteBack<RichMesh>(mesh_, snapshot_).run(steps, {}, std::nullopt);
+    WriteBack<RichMesh>(mesh_, snapshot_).run(BlendRecord(steps), {}, std::nullopt);
   }
 
   RichMesh mesh_;

@@ -40,14 +40,9 @@ class Renumbering {
     keep(old_face_, by_face);
   }
 
-  TriangleConnectivity connectivity(const TriangleConnectivity& old) const {
-    std::vector<Face> faces;
-    faces.reserve(old_face_.size());
-    for (int f : old_face_) {
-      const auto [a, b, c] = old.face(f);
-      faces.push_back({new_vertex_[a], new_vertex_[b], new_vertex_[c]});
-    }
-    return {std::move(faces), static_cast<int>(old_vertex_.size())};
+  /// The same for the connectivity, in the memory that it has.
+  void apply(TriangleConnectivity& connectivity) const {
+    connectivity.keep(old_face_, new_vertex_, static_cast<int>(old_vertex_.size()));
   }
 
  private:

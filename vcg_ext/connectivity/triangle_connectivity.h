@@ -20,7 +20,7 @@ struct Removed {
 };
 
 /// Faces and, for every vertex, the list of the faces around it. The lists lie in one pool; a list
-/// that outgrows its room moves to the pool's end with room to double, so that a vertex that
+/// that outgrows its room moves to the pool's end with room to grow by half, so that a vertex that
 /// swallows thousands of neighbours costs amortised constant time and memory.
 ///
 /// Collapses whose neighbourhoods share no vertex may run at the same time, if room was made for
@@ -41,21 +41,8 @@ class TriangleConnectivity {
   TriangleConnectivity() = default;
 
   /// faces: (F, 3) indices below vertex_count, no index twice in a face.
-  TriangleConnectivity(std::vector<Face> faces, int vertex_count)
-      : faces_(std::move(faces)),
-        lists_(vertex_count),
-        face_count_(static_cast<int>(faces_.size())) {
-    for (const Face& face : faces_)
-      for (int v : face) ++lists_[v].capacity;
-    int end = 0;
-    for (List& list : lists_) {
-      list.begin = end;
-      end += list.capacity;
-      vertex_count_ += list.capacity > 0;
-    }
-    pool_.resize(end);
-    for (int f = 0; f < face_slots(); ++f)
-      for (int v : faces_[f]) append(lists_[v], f);
+  TriangleConnectivity(std::vector<Face> faces, int vertex_count) : faces_(std::move(faces)) {
+    make_lists(vertex_count);
   }
 
   /// Slots, dead ones included.
@@ -133,7 +120,7 @@ class TriangleConnectivity {
     Removed removed = remove_shared_faces(keep, gone);
     for (int f : faces_of(gone)) faces_[f][corner(f, gone)] = keep;
     removed.vertices += lists_[keep].size > 0 && lists_[gone].size > 0;
-    make_room(keep, gone);
+    make_room(keep, gone, 0);
     merge_lists(lists_[keep], lists_[gone]);
     return removed;
   }
@@ -148,10 +135,22 @@ class TriangleConnectivity {
     reserve(lists_[c], lists_[c].size + 1), append(lists_[c], g);
   }
 
-  /// So that the collapse of the edge moves no list but its own two.
-  void make_room(int a, int b) {
+  /// So that the collapse of the edge, which has `shared` faces, moves no list but its own two.
+  void make_room(int a, int b, int shared) {
     List& roomier = lists_[a].capacity < lists_[b].capacity ? lists_[b] : lists_[a];
-    reserve(roomier, lists_[a].size + lists_[b].size);
+    reserve(roomier, lists_[a].size + lists_[b].size - 2 * shared);
+  }
+
+  /// Of all faces those in `old_face`, in this order, which is ascending, with new numbers for the
+  /// vertices.
+  void keep(const std::vector<int>& old_face, const std::vector<int>& new_vertex,
+            int vertex_count) {
+    for (std::size_t i = 0; i < old_face.size(); ++i) {
+      const auto [a, b, c] = faces_[old_face[i]];
+      faces_[i] = {new_vertex[a], new_vertex[b], new_vertex[c]};
+    }
+    faces_.resize(old_face.size());
+    make_lists(vertex_count);
   }
 
   /// To be told of every change, so that the counts stay right.
@@ -164,6 +163,24 @@ class TriangleConnectivity {
   struct List {
     int begin = 0, size = 0, capacity = 0;
   };
+
+  /// Of the faces as they are; all are alive.
+  void make_lists(int vertex_count) {
+    lists_.assign(vertex_count, {});
+    face_count_ = face_slots(), vertex_count_ = 0;
+    for (const Face& face : faces_)
+      for (int v : face) ++lists_[v].capacity;
+    int end = 0;
+    for (List& list : lists_) {
+      list.begin = end;
+      end += list.capacity;
+      vertex_count_ += list.capacity > 0;
+    }
+    pool_.reserve(2 * static_cast<std::size_t>(end));  // lists will move to its end
+    pool_.resize(end);
+    for (int f = 0; f < face_slots(); ++f)
+      for (int v : faces_[f]) append(lists_[v], f);
+  }
 
   void append(List& list, int f) { pool_[list.begin + list.size++] = f; }
 
@@ -193,7 +210,7 @@ class TriangleConnectivity {
   void reserve(List& list, int needed) {
     if (needed <= list.capacity) return;
     const int begin = static_cast<int>(pool_.size());
-    const int capacity = std::max(needed, 2 * list.capacity);
+    const int capacity = std::max(needed, list.capacity + list.capacity / 2);
     pool_.resize(pool_.size() + capacity);
     std::copy_n(pool_.data() + list.begin, list.size, pool_.data() + begin);
     list.begin = begin;

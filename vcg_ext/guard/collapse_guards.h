@@ -31,7 +31,7 @@ class CollapseGuards {
                                                  : -1.0),
         bound_(mesh, params.max_error) {
     input_normal_.reserve(mesh.plane.size());
-    for (const FacePlane& plane : mesh.plane) input_normal_.push_back(plane.normal.cast<float>());
+    for (const FacePlane& plane : mesh.plane) input_normal_.push_back(RoughNormal(plane.normal));
   }
 
   /// May the edge collapse to x? If so, `after` has the planes that the star would have.
@@ -71,7 +71,7 @@ class CollapseGuards {
                                            const FacePlane& plane_after) const {
     const FacePlane& plane = mesh_.plane[f];
     if (turns_too_far(plane.normal, plane_after, cos_normal_) ||
-        turns_too_far(input_normal_[f].cast<double>(), plane_after, cos_input_normal_))
+        turns_too_far(input_normal_[f].unpacked(), plane_after, cos_input_normal_))
       return Rejection::NormalFlip;
     if (is_worse_shaped(after, plane_after.area, least_shape_quality) &&  // rarely
         spoils_shape(mesh_.triangle(f), plane.area, after, plane_after.area, least_shape_quality))
@@ -82,7 +82,7 @@ class CollapseGuards {
   const WorkingMesh& mesh_;
   const bool link_condition_;  // also for the bound: without it a part may vanish
   const double cos_normal_, cos_input_normal_;
-  std::vector<Eigen::Vector3f> input_normal_;  // by face
+  std::vector<RoughNormal> input_normal_;  // by face
   ErrorBound bound_;
 };
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "vcg_ext/geometry/closest_point.h"
@@ -28,36 +29,61 @@ struct BlendStep {
 /// Notes for every collapse where, on the surface just before it, the merged vertex takes its
 /// attributes from: the nearest point of the faces around the edge. An attribute that is affine in
 /// position is so carried over the surface and not only along the edge. Where no attribute but the
-/// normal varies, the nearest point of the edge will do.
+/// normal varies, the nearest point of the edge will do, and takes less memory.
 class BlendRecord : public CollapseObserver {
  public:
-  explicit BlendRecord(bool over_surface = true) : over_surface_(over_surface) {}
+  /// expected: collapses, to have room for; may be exceeded.
+  explicit BlendRecord(bool over_surface = true, std::size_t expected = 0)
+      : is_over_surface_(over_surface) {
+    over_surface ? over_surface_.reserve(expected) : on_edge_.reserve(expected);
+  }
 
-  void make_room(int count) override { steps_.resize(count); }
+  /// Of collapses that were done already.
+  explicit BlendRecord(std::vector<BlendStep> steps) : over_surface_(std::move(steps)) {}
+
+  void make_room(int count) override {
+    is_over_surface_ ? over_surface_.resize(count) : on_edge_.resize(count);
+  }
 
   void before(const WorkingMesh& mesh, const EdgeNeighborhood& around, const Collapse& collapse,
               int number) override {
     if (collapse.now == collapse.keep_was) return;
-    BlendStep& step = steps_[number];
-    step = over_surface_ ? nearest_on_surface(mesh, around, collapse) : on_edge(collapse);
-    step.keep = mesh.vertex_origin[step.keep];
+    const int keep = mesh.vertex_origin[collapse.keep];
+    if (!is_over_surface_) {
+      on_edge_[number] = {keep, mesh.vertex_origin[collapse.gone], float(collapse.t)};
+      return;
+    }
+    BlendStep& step = over_surface_[number];
+    step = nearest_on_surface(mesh, around, collapse);
+    step.keep = keep;
     for (int& v : step.from) v = mesh.vertex_origin[v];
   }
 
   void renumber(const Renumbering&) override {}
 
-  const std::vector<BlendStep>& steps() const { return steps_; }
+  /// use(BlendStep), in the order of the collapses.
+  template <class Use>
+  void for_each(Use use) const {
+    for (const BlendStep& step : over_surface_)
+      if (step.keep != BlendStep::none) use(step);
+    for (const EdgeStep& step : on_edge_)
+      if (step.keep != BlendStep::none) use(on_edge(step.keep, step.gone, step.t));
+  }
 
  private:
-  static BlendStep on_edge(const Collapse& collapse) {
-    return BlendStep::at(collapse.keep, {collapse.keep, collapse.gone, collapse.gone},
-                         {1.0 - collapse.t, collapse.t, 0.0});
+  struct EdgeStep {
+    int keep = BlendStep::none, gone = BlendStep::none;
+    float t = 0.0f;
+  };
+
+  static BlendStep on_edge(int keep, int gone, double t) {
+    return BlendStep::at(keep, {keep, gone, gone}, {1.0 - t, t, 0.0});
   }
 
   static BlendStep nearest_on_surface(const WorkingMesh& mesh, const EdgeNeighborhood& around,
                                       const Collapse& collapse) {
     const Vector3& x = collapse.now;
-    BlendStep nearest = on_edge(collapse);
+    BlendStep nearest = on_edge(collapse.keep, collapse.gone, collapse.t);
     double least = std::numeric_limits<double>::infinity();
     for (const auto* faces : {&around.wings(), &around.star()})
       for (int f : *faces) {
@@ -73,8 +99,9 @@ class BlendRecord : public CollapseObserver {
     return nearest;
   }
 
-  bool over_surface_;
-  std::vector<BlendStep> steps_;
+  bool is_over_surface_ = true;
+  std::vector<BlendStep> over_surface_;  // by collapse, one of the two
+  std::vector<EdgeStep> on_edge_;
 };
 
 inline bool is_finite(double value) { return std::isfinite(value); }
@@ -102,9 +129,9 @@ Value blended(const BlendStep& step, const std::vector<Value>& from, const Value
 
 /// Replays the record on one attribute. Value: a vector space over double.
 template <class Value>
-void replay(const std::vector<BlendStep>& steps, std::vector<Value>& values) {
-  for (const BlendStep& step : steps)
-    if (step.keep != BlendStep::none) values[step.keep] = blended(step, values, values[step.keep]);
+void replay(const BlendRecord& record, std::vector<Value>& values) {
+  record.for_each(
+      [&](const BlendStep& step) { values[step.keep] = blended(step, values, values[step.keep]); });
 }
 
 /// What a step takes, it takes from the input, and no other step sees it.

@@ -18,10 +18,10 @@ namespace curvdecim {
 template <class MeshType>
 std::optional<WedgeTexture> read_wedges(const MeshType& mesh, const Snapshot& snapshot) {
   if (!vcg::tri::HasPerWedgeTexCoord(mesh)) return std::nullopt;
-  std::vector<FaceWedges> wedges(snapshot.face_of.size());
+  std::vector<FaceWedges> wedges(snapshot.mesh.face_origin.size());
   for (std::size_t f = 0; f < wedges.size(); ++f)
     for (int i = 0; i < 3; ++i) {
-      const auto& texture = mesh.face[snapshot.face_of[f]].cWT(i);
+      const auto& texture = mesh.face[snapshot.mesh.face_origin[f]].cWT(i);
       wedges[f][i] = {double(texture.u()), double(texture.v()), texture.n()};
     }
   return WedgeTexture(std::move(wedges));

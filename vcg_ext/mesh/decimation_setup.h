@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -37,9 +38,10 @@ void lock_unselected(const MeshType& mesh, Snapshot& snapshot) {
   for (std::size_t v = 0; v < snapshot.vertex_of.size(); ++v)
     snapshot.mesh.locked[v] = locked[snapshot.vertex_of[v]];
   const auto outside = [&](int f) { return !mesh.face[f].IsS(); };
-  snapshot.unusable.erase(
-      std::remove_if(snapshot.unusable.begin(), snapshot.unusable.end(), outside),
-      snapshot.unusable.end());
+  const auto stay = std::stable_partition(snapshot.unusable.begin(), snapshot.unusable.end(),
+                                          std::not_fn(outside));
+  snapshot.left_alone.assign(stay, snapshot.unusable.end());
+  snapshot.unusable.erase(stay, snapshot.unusable.end());
 }
 
 /// Vertex quality, scaled to a largest value of 1, as a factor on the cost. Values at or below zero

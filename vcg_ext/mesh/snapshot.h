@@ -19,10 +19,10 @@ namespace curvdecim {
 /// A vcg mesh as index arrays, with the way back.
 struct Snapshot {
   WorkingMesh mesh;
-  std::vector<int> vertex_of;  // by working vertex at the start: index in the vcg mesh
-  std::vector<int> face_of;    // by working face at the start
-  std::vector<int> unusable;   // vcg faces left out: an index twice, or a duplicate
-  std::vector<bool> selected;  // by working face
+  std::vector<int> vertex_of;   // by working vertex at the start: index in the vcg mesh
+  std::vector<int> unusable;    // vcg faces left out, to be removed: an index twice, or a duplicate
+  std::vector<int> left_alone;  // vcg faces left out that stay
+  std::vector<bool> selected;   // by working face at the start
   Vector3 center = Vector3::Zero();
   double diagonal = 1.0;  // of the bounding box, in the mesh's unit
 
@@ -59,7 +59,7 @@ class SnapshotReader {
   static constexpr int unused = -1;
 
   void read_faces() {
-    faces_.reserve(mesh_.fn), snapshot_.face_of.reserve(mesh_.fn);
+    faces_.reserve(mesh_.fn), face_of_.reserve(mesh_.fn);
     for (std::size_t f = 0; f < mesh_.face.size(); ++f)
       if (!mesh_.face[f].IsD()) read_face(static_cast<int>(f));
   }
@@ -73,7 +73,7 @@ class SnapshotReader {
     }
     for (int v : face) working_of_[v] = 0;
     faces_.push_back(face);
-    snapshot_.face_of.push_back(f);
+    face_of_.push_back(f);
   }
 
   int vertex_index(int f, int i) const {
@@ -160,14 +160,14 @@ class SnapshotReader {
     for (std::size_t i = 0; i < keys.size(); ++i) {
       const int f = keys[i].face;
       if (i > 0 && keys[i].same_vertices(keys[i - 1])) {
-        snapshot_.unusable.push_back(snapshot_.face_of[f]);
+        snapshot_.unusable.push_back(face_of_[f]);
         continue;
       }
       faces.push_back(faces_[f]);
-      face_of.push_back(snapshot_.face_of[f]);
+      face_of.push_back(face_of_[f]);
     }
     faces_.swap(faces);
-    snapshot_.face_of.swap(face_of);
+    face_of_.swap(face_of);
   }
 
   Vector3 point(int v) const {
@@ -194,16 +194,17 @@ class SnapshotReader {
     mesh.locked.assign(count, 0);
     mesh.plane.resize(mesh.connectivity.face_slots());
     parallel_.for_each(mesh.connectivity.face_slots(), [&](int f) { mesh.update_plane(f); });
-    mesh.vertex_origin.resize(count), mesh.face_origin.resize(mesh.plane.size());
+    mesh.vertex_origin.resize(count);
     std::iota(mesh.vertex_origin.begin(), mesh.vertex_origin.end(), 0);
-    std::iota(mesh.face_origin.begin(), mesh.face_origin.end(), 0);
-    for (int f : snapshot_.face_of) snapshot_.selected.push_back(mesh_.face[f].IsS());
+    for (int f : face_of_) snapshot_.selected.push_back(mesh_.face[f].IsS());
+    mesh.face_origin = std::move(face_of_);
   }
 
   const MeshType& mesh_;
   const Parallel& parallel_;
   std::vector<int> working_of_;  // by vcg vertex
   std::vector<Face> faces_;
+  std::vector<int> face_of_;  // by working face: index in the vcg mesh
   Snapshot snapshot_;
 };
 

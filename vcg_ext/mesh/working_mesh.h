@@ -19,7 +19,8 @@ struct WorkingMesh {
   std::vector<FacePlane> plane;      // by face
   std::vector<double> importance;    // by vertex: factor on the cost; empty: 1 everywhere
   TriangleConnectivity connectivity;
-  std::vector<int> vertex_origin, face_origin;  // numbers at the start
+  std::vector<int> vertex_origin;  // by vertex: its number at the start
+  std::vector<int> face_origin;    // by face: its number in the mesh it was taken from
 
   Triangle triangle(int f) const {
     const Face& face = connectivity.face(f);
@@ -32,7 +33,7 @@ struct WorkingMesh {
     numbers.vertices(position), numbers.vertices(kind), numbers.vertices(locked);
     numbers.vertices(importance), numbers.vertices(vertex_origin);
     numbers.faces(plane), numbers.faces(face_origin);
-    connectivity = numbers.connectivity(connectivity);
+    numbers.apply(connectivity);
   }
 };
 

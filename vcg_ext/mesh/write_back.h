@@ -5,6 +5,7 @@
 #include <vcg/complex/allocate.h>
 #include <vcg/complex/complex.h>
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -24,9 +25,9 @@ class WriteBack {
 
   /// resampled: vertices that take their attributes from the input, after all other steps. wedges:
   /// where the mesh has wedge texture coordinates.
-  void run(const std::vector<BlendStep>& steps, const std::vector<BlendStep>& resampled,
+  void run(const BlendRecord& record, const std::vector<BlendStep>& resampled,
            const std::optional<WedgeTexture>& wedges) {
-    blend_attributes({steps, resampled});
+    blend_attributes({record, resampled});
     if (wedges) write_wedges(*wedges);
     move_vertices();
     const std::vector<bool> used_before = used_vertices();
@@ -46,9 +47,7 @@ class WriteBack {
   Vertex& vertex(int v) { return start_vertex(snapshot_.mesh.vertex_origin[v]); }
   /// By the number at the start.
   Vertex& start_vertex(int v) { return mesh_.vert[snapshot_.vertex_of[v]]; }
-  typename MeshType::FaceType& face(int f) {
-    return mesh_.face[snapshot_.face_of[snapshot_.mesh.face_origin[f]]];
-  }
+  typename MeshType::FaceType& face(int f) { return mesh_.face[snapshot_.mesh.face_origin[f]]; }
 
   void move_vertices() {
     for (int v = 0; v < connectivity().vertex_slots(); ++v) {
@@ -62,17 +61,16 @@ class WriteBack {
   }
 
   void connect_faces() {
-    std::vector<bool> kept(snapshot_.face_of.size(), false);
+    std::vector<bool> stays(mesh_.face.size(), false);
+    for (int f : snapshot_.left_alone) stays[f] = true;
     for (int f = 0; f < connectivity().face_slots(); ++f) {
       if (!connectivity().alive(f)) continue;
-      kept[snapshot_.mesh.face_origin[f]] = true;
+      stays[snapshot_.mesh.face_origin[f]] = true;
       connect_face(face(f), f);
     }
-    for (std::size_t f = 0; f < kept.size(); ++f)
-      if (!kept[f])
-        vcg::tri::Allocator<MeshType>::DeleteFace(mesh_, mesh_.face[snapshot_.face_of[f]]);
-    for (int f : snapshot_.unusable)
-      vcg::tri::Allocator<MeshType>::DeleteFace(mesh_, mesh_.face[f]);
+    for (std::size_t f = 0; f < stays.size(); ++f)
+      if (!stays[f] && !mesh_.face[f].IsD())
+        vcg::tri::Allocator<MeshType>::DeleteFace(mesh_, mesh_.face[f]);
   }
 
   /// Faces that did not change keep their normals and their marks of edges inside polygons, which
@@ -131,7 +129,7 @@ class WriteBack {
   // --- attributes: double while they are blended, so that rounding does not add up ---------------
 
   struct Steps {
-    const std::vector<BlendStep>& blended;
+    const BlendRecord& blended;
     const std::vector<BlendStep>& resampled;
   };
 
@@ -145,9 +143,9 @@ class WriteBack {
     replay(steps.blended, values);
     resample(steps.resampled, input, values);
     std::vector<bool> changed(values.size(), false);
-    for (const auto* of : {&steps.blended, &steps.resampled})
-      for (const BlendStep& step : *of)
-        if (step.keep != BlendStep::none) changed[step.keep] = true;
+    const auto note = [&](const BlendStep& step) { changed[step.keep] = true; };
+    steps.blended.for_each(note);
+    std::for_each(steps.resampled.begin(), steps.resampled.end(), note);
     for (std::size_t v = 0; v < values.size(); ++v)
       if (changed[v]) write(start_vertex(static_cast<int>(v)), values[v]);
   }

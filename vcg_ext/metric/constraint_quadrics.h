@@ -45,9 +45,10 @@ class ConstraintQuadrics {
         cos_feature_(std::cos(radians(params.feature_angle))),
         cos_half_feature_(std::cos(0.5 * radians(params.feature_angle))) {}
 
-  /// By vertex; empty where the mesh has no such edge.
-  std::vector<Symmetric3> build(const Parallel& parallel) {
-    if (!(params_.boundary_weight > 0.0)) return {};
+  /// add(v, matrix) for both vertices of each such edge.
+  template <class Add>
+  void build(const Parallel& parallel, Add add) const {
+    if (!(params_.boundary_weight > 0.0)) return;
     std::vector<std::uint8_t> smooth(mesh_.connectivity.vertex_slots());  // by vertex
     parallel.for_each(mesh_.connectivity.vertex_slots(), [&](int v) { smooth[v] = is_smooth(v); });
     std::vector<std::uint8_t> held(mesh_.connectivity.face_slots());  // by face: a bit an edge
@@ -55,8 +56,7 @@ class ConstraintQuadrics {
                       [&](int f) { held[f] = held_edges(f, smooth); });
     for (int f = 0; f < mesh_.connectivity.face_slots(); ++f)
       for (int i = 0; i < 3 && held[f] != 0; ++i)
-        if (held[f] >> i & 1) add_plane(f, i);
-    return std::move(matrices_);
+        if (held[f] >> i & 1) add_plane(f, i, add);
   }
 
  private:
@@ -95,20 +95,18 @@ class ConstraintQuadrics {
            mesh_.plane[f].normal.dot(mesh_.plane[g].normal) <= cos_feature_;
   }
 
-  void add_plane(int f, int i) {
+  template <class Add>
+  void add_plane(int f, int i, Add add) const {
     const Face& face = mesh_.connectivity.face(f);
     const int a = face[i], b = face[(i + 1) % 3];
-    if (matrices_.empty()) matrices_.resize(mesh_.position.size());
     const Symmetric3 plane = edge_plane_matrix(mesh_, f, a, b, weight_) * params_.boundary_weight;
-    matrices_[a] += plane;
-    matrices_[b] += plane;
+    add(a, plane), add(b, plane);
   }
 
   const WorkingMesh& mesh_;
   const DecimationParams& params_;
   const PlaneWeight weight_;
   const double cos_feature_, cos_half_feature_;
-  std::vector<Symmetric3> matrices_;
 };
 
 }  // namespace curvdecim

@@ -26,12 +26,8 @@ class CurvatureWeightedMetric {
       : mesh_(mesh), params_(params), diagonal_(diagonal), quadric_(mesh, params), current_(mesh) {}
 
   void initialize(const Parallel& parallel) {
-    CurvatureField field = curvature_field(mesh_, params_, parallel);
-    weight_ = curvature_weight(params_, field, diagonal_);
-    saturation_ = std::move(field.value), area_ = std::move(field.area);
-    parallel.for_each(static_cast<int>(saturation_.size()),
-                      [&](int v) { saturation_[v] = weight_.saturation(saturation_[v]); });
-    quadric_.initialize(parallel, weighs_planes() ? roots(parallel) : std::vector<double>());
+    measure(parallel);
+    quadric_.initialize(parallel, weighs_planes() ? roots(parallel) : std::vector<float>());
     if (follows_current()) current_.initialize(parallel);
   }
 
@@ -70,6 +66,16 @@ class CurvatureWeightedMetric {
   }
 
  private:
+  void measure(const Parallel& parallel) {
+    const CurvatureField field = curvature_field(mesh_, params_, parallel);
+    weight_ = curvature_weight(params_, field, diagonal_);
+    area_.assign(field.area.begin(), field.area.end());
+    saturation_.resize(field.value.size());
+    parallel.for_each(static_cast<int>(saturation_.size()), [&](int v) {
+      saturation_[v] = static_cast<float>(weight_.saturation(field.value[v]));
+    });
+  }
+
   bool follows_current() const { return params_.curvature_of == CurvatureOf::Current; }
 
   /// Not where the curvature changes away from the collapse.
@@ -84,24 +90,25 @@ class CurvatureWeightedMetric {
 
   double root(double saturation) const { return std::sqrt(weight_.factor(saturation)); }
 
-  std::vector<double> roots(const Parallel& parallel) const {
-    std::vector<double> roots(saturation_.size());
+  std::vector<float> roots(const Parallel& parallel) const {
+    std::vector<float> roots(saturation_.size());
     parallel.for_each(static_cast<int>(roots.size()),
-                      [&](int v) { roots[v] = root(saturation_[v]); });
+                      [&](int v) { roots[v] = static_cast<float>(root(saturation_[v])); });
     return roots;
   }
 
-  void update(int v) { saturation_[v] = weight_.saturation(current_.at(v).measure(params_)); }
+  void update(int v) {
+    saturation_[v] = static_cast<float>(weight_.saturation(current_.at(v).measure(params_)));
+  }
 
   /// By the input's area that has gone into each.
   double averaged(int keep, int gone) const {
-    const double area = area_[keep] + area_[gone];
-    if (!(area > 0.0)) return saturation_[keep];
-    return saturation_[keep] + area_[gone] / area * (saturation_[gone] - saturation_[keep]);
+    const double kept = saturation_[keep], area = double(area_[keep]) + area_[gone];
+    return area > 0.0 ? kept + area_[gone] / area * (saturation_[gone] - kept) : kept;
   }
 
   void average(int keep, int gone) {
-    saturation_[keep] = averaged(keep, gone);
+    saturation_[keep] = static_cast<float>(averaged(keep, gone));
     area_[keep] += area_[gone];
   }
 
@@ -111,8 +118,8 @@ class CurvatureWeightedMetric {
   QuadricMetric quadric_;
   CurrentCurvature current_;  // where it is followed
   CurvatureWeight weight_;
-  std::vector<double> saturation_;  // by vertex: CurvatureWeight::saturation
-  std::vector<double> area_;        // by vertex: of the input, that has gone into it
+  std::vector<float> saturation_;  // by vertex: CurvatureWeight::saturation
+  std::vector<float> area_;        // by vertex: of the input, that has gone into it
 };
 
 }  // namespace curvdecim

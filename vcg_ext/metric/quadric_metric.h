@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -25,15 +26,13 @@ class QuadricMetric {
       : mesh_(mesh), params_(params), memoryless_(params.quadrics == Quadrics::Memoryless) {}
 
   /// factors: by vertex, on the weight of planes; a face has the mean of its corners'. None: 1.
-  void initialize(const Parallel& parallel, std::vector<double> factors = {}) {
+  void initialize(const Parallel& parallel, std::vector<float> factors = {}) {
     factor_ = std::move(factors);
-    const std::vector<Symmetric3> constraints =
-        ConstraintQuadrics(mesh_, params_, params_.plane_weight).build(parallel);
     sum_.resize(mesh_.position.size());
+    ConstraintQuadrics(mesh_, params_, params_.plane_weight)
+        .build(parallel, [&](int v, const Symmetric3& plane) { sum_[v].a += plane; });
     parallel.for_each(static_cast<int>(sum_.size()), [&](int v) {
-      const Symmetric3 around = matrix_around(v);
-      Symmetric3 input = around;
-      if (!constraints.empty()) input += constraints[v] * factor(v);
+      const Symmetric3 around = matrix_around(v), input = around + sum_[v].a * factor(v);
       sum_[v].a = memoryless_ ? input * memory + around + boundary(v) : input;
     });
   }
@@ -42,7 +41,8 @@ class QuadricMetric {
   std::optional<Candidate> evaluate(Edge edge, Allowed allowed, const Vector3& wings) const {
     const Vector3 &a = mesh_.position[edge.a], &b = mesh_.position[edge.b];
     const Vector3 half = 0.5 * (b - a);
-    const QuadricOfEdge q = sum_about_midpoint(sum_[edge.a], sum_[edge.b], half);
+    const QuadricOfEdge q =
+        sum_about_midpoint(sum_[edge.a].quadric(), sum_[edge.b].quadric(), half);
     const Placed placed =
         place(q, half, allowed, params_.placement, volume_plane(edge, half, allowed, wings));
     double cost = placed.value;
@@ -55,7 +55,7 @@ class QuadricMetric {
   double factor(int v) const { return factor_.empty() ? 1.0 : factor_[v]; }
 
   /// Between release and merge only: the faces around v are counted anew then.
-  void set_factor(int v, double factor) { factor_[v] = factor; }
+  void set_factor(int v, double factor) { factor_[v] = static_cast<float>(factor); }
 
   /// Costs of the edges from v to the others, each of which may collapse to anywhere; without the
   /// volume, which moves a vertex along more than it lifts it.
@@ -63,10 +63,12 @@ class QuadricMetric {
     costs.resize(others.size());
     if (params_.placement != Placement::Optimal) return estimate_one_by_one(v, others, costs);
     const Vector3& at = mesh_.position[v];
-    const VertexPair both(at, sum_[v], at, sum_[v]);
+    const Quadric quadric = sum_[v].quadric();
+    const VertexPair both(at, quadric, at, quadric);
     for (std::size_t i = 0; i < others.size(); i += 2) {
       const int p = others[i], q = others[std::min(i + 1, others.size() - 1)];
-      const VertexPair pair(mesh_.position[p], sum_[p], mesh_.position[q], sum_[q]);
+      const VertexPair pair(mesh_.position[p], sum_[p].quadric(), mesh_.position[q],
+                            sum_[q].quadric());
       const Pair cost = least_costs(both, pair, {relative_pull, rounding * rounding});
       costs[i] = cost[0];
       if (i + 1 < costs.size()) costs[i + 1] = cost[1];
@@ -98,8 +100,8 @@ class QuadricMetric {
   /// After it: the merged vertex gets what its ends remember and the faces around it.
   void merge(const Collapse& collapse, const EdgeNeighborhood& around) {
     const auto [keep, gone, keep_was, gone_was, now, t] = collapse;
-    sum_[keep] =
-        sum_[keep].with_origin_moved(now - keep_was) + sum_[gone].with_origin_moved(now - gone_was);
+    sum_[keep] = Carried(sum_[keep].quadric().with_origin_moved(now - keep_was) +
+                         sum_[gone].quadric().with_origin_moved(now - gone_was));
     if (!memoryless_) return;
     if (!is_inside(keep)) return see_current(around, keep);
     for (int f : around.star()) sum_[keep].a += matrix(f);
@@ -124,6 +126,20 @@ class QuadricMetric {
   /// How much of the input's planes a memoryless vertex carries: enough that thin parts are not
   /// worn away collapse by collapse, too little to show elsewhere.
   static constexpr double memory = 0.1;
+
+  /// A quadric in a cache line. About the vertex that carries it, which is near its minimum, b and
+  /// c are small: their rounding to single precision is to their own size.
+  struct Carried {
+    Symmetric3 a;
+    std::array<float, 3> b{};
+    float c = 0.0f;
+
+    Carried() = default;
+    explicit Carried(const Quadric& q)
+        : a(q.a), b{float(q.b.x()), float(q.b.y()), float(q.b.z())}, c(float(q.c)) {}
+
+    Quadric quadric() const { return {a, {b[0], b[1], b[2]}, c}; }
+  };
 
   /// Of the plane of face f, about any of its corners.
   Symmetric3 matrix(int f) const {
@@ -196,8 +212,8 @@ class QuadricMetric {
   const WorkingMesh& mesh_;
   const EdgeCollapseParams& params_;
   const bool memoryless_;
-  std::vector<Quadric> sum_;    // by vertex, about it; memoryless: of planes remembered and current
-  std::vector<double> factor_;  // by vertex, or empty: on the weight of planes
+  std::vector<Carried> sum_;   // by vertex, about it; memoryless: of planes remembered and current
+  std::vector<float> factor_;  // by vertex, or empty: on the weight of planes
 };
 
 }  // namespace curvdecim

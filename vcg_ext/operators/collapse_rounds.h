@@ -39,7 +39,7 @@ class CollapseRounds {
         outdated_(mesh.connectivity.vertex_slots(), 1),
         refused_(mesh.connectivity.vertex_slots(), 0),
         choices_(mesh.connectivity.vertex_slots()),
-        selection_(mesh.connectivity),
+        selection_(mesh.connectivity, choices_),
         scratch_(parallel.threads()) {}
 
   /// Collapses until the target is reached, or few candidates are left that lie apart. The number
@@ -49,7 +49,7 @@ class CollapseRounds {
     while (worth_while && is_large() && !stop_.reached(mesh_.connectivity)) {
       progress.set(stop_.progress(mesh_.connectivity));
       choose();
-      selection_.begin(choices_, share());
+      selection_.begin(share());
       worth_while = collapse_candidates(report);
       if (is_sparse()) compact();
     }
@@ -110,8 +110,10 @@ class CollapseRounds {
     selection_.pick();
     picks_.clear();
     for (Edge edge : selection_.edges()) {
-      mesh_.connectivity.make_room(edge.a, edge.b);
-      picks_.emplace_back().edge = edge;
+      Pick& pick = picks_.emplace_back();
+      pick.edge = edge;
+      pick.removed = {mesh_.connectivity.edge_valence(edge.a, edge.b), 1};
+      mesh_.connectivity.make_room(edge.a, edge.b, pick.removed.faces);
     }
     const auto by_owner = [](const Pick& a, const Pick& b) { return a.edge.a < b.edge.a; };
     std::sort(picks_.begin(), picks_.end(), by_owner);  // near in memory, near in time
@@ -147,8 +149,7 @@ class CollapseRounds {
 
   bool may_reach_target() const {
     Removed all;
-    for (const Pick& pick : picks_)
-      all += {mesh_.connectivity.edge_valence(pick.edge.a, pick.edge.b), 1};
+    for (const Pick& pick : picks_) all += pick.removed;
     return stop_.reached(mesh_.connectivity, all);
   }
 
@@ -162,7 +163,6 @@ class CollapseRounds {
     pick.answer = collapser_.ask(pick.edge, candidate->position, scratch);
     pick.ready = !pick.answer.refusal;
     refused_[pick.edge.a] = !pick.ready;
-    pick.removed = {static_cast<int>(scratch.around.wings().size()), 1};
   }
 
   /// Those that are ready and that the target does not need, the dearest first.

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -103,8 +105,13 @@ class EdgeCollapser {
     if (valence(busier) > hub && rests(busier)) return {Rejection::HubAtRest};
     scratch.around.gather(mesh_.connectivity, edge);
     const GuardAnswer answer = guards_.ask(scratch.around, x, scratch.after);
-    if (answer.refusal && valence(busier) > hub) rest_[busier] = valence(busier) / hub_rest;
+    if (answer.refusal && valence(busier) > hub) set_to_rest(busier);
     return answer;
+  }
+
+  void set_to_rest(int v) {
+    constexpr int longest = std::numeric_limits<std::uint16_t>::max();
+    rest_[v] = static_cast<std::uint16_t>(std::min(valence(v) / hub_rest, longest));
   }
 
   /// True if v rests; called for every edge passed over, until the rest is over.
@@ -227,7 +234,7 @@ class EdgeCollapser {
   const bool topology_;
   const CollapseRule rule_;
   CollapseGuards guards_;
-  std::vector<int> rest_;  // by vertex: edges still to be passed over
+  std::vector<std::uint16_t> rest_;  // by vertex: edges still to be passed over
   std::vector<CollapseObserver*> observers_;
 };
 

@@ -69,12 +69,6 @@ class EdgeChoices {
     priority_[owner] = choice.priority;
     partner_[owner] = choice.partner;
   }
-  void remove(int owner) { set(owner, {}); }
-
-  /// Takes the edge, if there is one, where it comes before the one that its owner has.
-  void offer(int owner, const EdgeChoice& choice) {
-    if (choice.exists() && (!exists(owner) || choice < of(owner))) set(owner, choice);
-  }
 
   /// A partner that is gone becomes none; its owner has to choose again.
   void renumber(const Renumbering& numbers) {

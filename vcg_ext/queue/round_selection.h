@@ -17,16 +17,18 @@ namespace curvdecim {
 /// waits for the next one, unless an end of it has been merged meanwhile.
 class RoundSelection {
  public:
-  explicit RoundSelection(const TriangleConnectivity& connectivity)
+  /// choices: by vertex of the mesh; they may change between rounds.
+  RoundSelection(const TriangleConnectivity& connectivity, const EdgeChoices& choices)
       : connectivity_(connectivity),
+        choices_(choices),
         taken_in_(connectivity.vertex_slots(), 0),
         merged_in_(connectivity.vertex_slots(), 0) {}
 
   /// A new round. share: of the choices, 0..1.
-  void begin(const EdgeChoices& choices, double share) {
+  void begin(double share) {
     ++round_;
-    find_limits(choices, share);
-    sort_into_classes(choices);
+    find_limits(share);
+    sort_into_classes();
   }
 
   /// Fills edges() with candidates that lie apart; they are candidates no more.
@@ -34,11 +36,11 @@ class RoundSelection {
     ++pick_;
     edges_.clear();
     std::size_t waiting = 0;
-    for (const Candidate& candidate : candidates_) {
-      const Edge edge = candidate.edge;
+    for (int owner : candidates_) {
+      const Edge edge{owner, choices_.of(owner).partner};
       if (merged(edge.a) || merged(edge.b)) continue;
       if (taken(edge.a) || taken(edge.b) || !is_apart(edge))
-        candidates_[waiting++] = candidate;
+        candidates_[waiting++] = owner;
       else
         take(edge);
     }
@@ -63,20 +65,12 @@ class RoundSelection {
   static constexpr int small_class = 128;
   static constexpr int samples = 256;  // they tell the share within a tenth of it
 
-  struct Candidate {
-    Priority priority;
-    Edge edge;
-    bool operator<(const Candidate& o) const {
-      return priority == o.priority ? edge.a < o.edge.a : priority < o.priority;
-    }
-  };
-
   /// From every n-th vertex.
-  void find_limits(const EdgeChoices& choices, double share) {
+  void find_limits(double share) {
     const int stride = std::max(1, connectivity_.vertex_count() / samples);
     sample_.clear();
     for (int v = 0; v < connectivity_.vertex_slots(); v += stride)
-      if (choices.exists(v)) sample_.push_back(choices.priority(v));
+      if (choices_.exists(v)) sample_.push_back(choices_.priority(v));
     limit_.fill(Priority(0.0, 0.0));
     if (sample_.empty()) return;
     const auto last = static_cast<std::size_t>(share * sample_.size());
@@ -87,26 +81,31 @@ class RoundSelection {
 
   /// A small class is sorted by cost. In a large one single edges do not show in the result: its
   /// order is that of the vertices, so that memory is read in order.
-  void sort_into_classes(const EdgeChoices& choices) {
+  void sort_into_classes() {
     const int vertices = connectivity_.vertex_slots();
     std::array<std::size_t, classes + 2> end{};
     class_of_.resize(vertices);
-    for (int v = 0; v < vertices; ++v) ++end[1 + (class_of_[v] = class_of(choices, v))];
+    for (int v = 0; v < vertices; ++v) ++end[1 + (class_of_[v] = class_of(v))];
     std::partial_sum(end.begin(), end.end(), end.begin());
     const auto begin = end;
     candidates_.resize(end[classes]);
     for (int v = 0; v < vertices; ++v)
-      if (class_of_[v] < classes)
-        candidates_[end[class_of_[v]]++] = {choices.priority(v), {v, choices.of(v).partner}};
+      if (class_of_[v] < classes) candidates_[end[class_of_[v]]++] = v;
     for (int c = 0; c < classes; ++c)
       if (end[c] - begin[c] <= small_class)
-        std::sort(candidates_.begin() + begin[c], candidates_.begin() + end[c]);
+        std::sort(candidates_.begin() + begin[c], candidates_.begin() + end[c],
+                  [this](int u, int v) { return comes_before(u, v); });
+  }
+
+  bool comes_before(int u, int v) const {
+    const Priority of_u = choices_.priority(u), of_v = choices_.priority(v);
+    return of_u == of_v ? u < v : of_u < of_v;
   }
 
   /// `classes` for what is no candidate.
-  std::uint8_t class_of(const EdgeChoices& choices, int v) const {
-    const Priority priority = choices.priority(v);
-    if (limit() < priority || !choices.exists(v)) return classes;
+  std::uint8_t class_of(int v) const {
+    const Priority priority = choices_.priority(v);
+    if (limit() < priority || !choices_.exists(v)) return classes;
     int c = 0;
     while (limit_[c] < priority) ++c;
     return static_cast<std::uint8_t>(c);
@@ -131,13 +130,14 @@ class RoundSelection {
   }
 
   const TriangleConnectivity& connectivity_;
+  const EdgeChoices& choices_;
   int round_ = 0, pick_ = 0;
   std::vector<int> taken_in_;   // by vertex: the last pick with it in a neighbourhood
   std::vector<int> merged_in_;  // by vertex: the last round in which it was an end of a collapse
   std::vector<Priority> sample_;
   std::array<Priority, classes> limit_;  // of each class
   std::vector<std::uint8_t> class_of_;   // by vertex
-  std::vector<Candidate> candidates_;    // that have not been picked
+  std::vector<int> candidates_;          // that have not been picked, by their owners
   std::vector<Edge> edges_;
 };
 
