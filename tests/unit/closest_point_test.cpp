@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <random>
 
@@ -37,6 +38,17 @@ INSTANTIATE_TEST_SUITE_P(Regions, ClosestPoint,
                          [](const testing::TestParamInfo<Region>& region) {
                            return std::string(region.param.name);
                          });
+
+TEST(ClosestPointOf, ATriangleTellsOnWhichEdgeOrCornerItIs) {
+  const Triangle t{Vector3(0.1, 0.2, 0.3), Vector3(1.7, 0.3, 0.1), Vector3(0.7, 1.9, 0.2)};
+  const auto not_zero = [&](const Vector3& p) {
+    const Barycentric w = closest_point(t, p);
+    return std::array<bool, 3>{w[0] != 0.0, w[1] != 0.0, w[2] != 0.0};
+  };
+  EXPECT_EQ(not_zero({0.8, 0.8, 3.0}), (std::array{true, true, true}));
+  EXPECT_EQ(not_zero({0.9, -2.0, 0.5}), (std::array{true, true, false}));
+  EXPECT_EQ(not_zero({5.0, -0.7, 0.3}), (std::array{false, true, false}));
+}
 
 TEST(ClosestPointOf, ATriangleWithoutAreaIsOnItsLongestEdge) {
   const Triangle line{Vector3(0, 0, 0), Vector3(1, 0, 0), Vector3(3, 0, 0)};

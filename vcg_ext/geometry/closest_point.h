@@ -12,7 +12,8 @@ namespace curvdecim {
 using Barycentric = std::array<double, 3>;
 
 inline Vector3 at(const Triangle& t, const Barycentric& w) {
-  return w[0] * t[0] + w[1] * t[1] + w[2] * t[2];
+  const auto mix = [&](int k) { return w[0] * t[0][k] + w[1] * t[1][k] + w[2] * t[2][k]; };
+  return {mix(0), mix(1), mix(2)};
 }
 
 /// Barycentric coordinates of the point of edge i, i+1 nearest to p.
@@ -28,26 +29,30 @@ inline Barycentric closest_on_edge(const Triangle& t, int i, const Vector3& p) {
 }
 
 /// Barycentric coordinates of the point of the triangle nearest to p; any triangle, also one
-/// without area. From outside, the nearest point lies on an edge that p is beyond.
-inline Barycentric closest_point(const Triangle& t, const Vector3& p) {
-  const Vector3 normal = (t[1] - t[0]).cross(t[2] - t[0]);
+/// without area. From outside, the nearest point lies on an edge that p is beyond. A coordinate is
+/// 0 exactly where the point is on the edge across from the corner.
+///
+/// normal: twice the area_vector.
+inline Barycentric closest_point(const Triangle& t, const Vector3& normal, const Vector3& p) {
+  const Vector3 ab = t[1] - t[0], ac = t[2] - t[0], ap = p - t[0];
   const double scale = normal.squaredNorm();
-  Barycentric inside = {-1.0, -1.0, -1.0};
-  if (scale > 0.0) {
-    inside[1] = (p - t[0]).cross(t[2] - t[0]).dot(normal) / scale;
-    inside[2] = (t[1] - t[0]).cross(p - t[0]).dot(normal) / scale;
-    inside[0] = 1.0 - inside[1] - inside[2];
-    if (inside[0] >= 0.0 && inside[1] >= 0.0 && inside[2] >= 0.0) return inside;
-  }
+  const double b = ap.cross(ac).dot(normal), c = ab.cross(ap).dot(normal), a = scale - b - c;
+  const bool has_area = scale > 0.0;
+  if (has_area && a >= 0.0 && b >= 0.0 && c >= 0.0) return {a / scale, b / scale, c / scale};
+  const Barycentric inside = {a, b, c};
   Barycentric best{};
   double least = std::numeric_limits<double>::infinity();
   for (int i = 0; i < 3; ++i) {
-    if (inside[(i + 2) % 3] >= 0.0) continue;
+    if (has_area && inside[(i + 2) % 3] >= 0.0) continue;
     const Barycentric w = closest_on_edge(t, i, p);
     const double distance2 = (at(t, w) - p).squaredNorm();
     if (distance2 < least) best = w, least = distance2;
   }
   return best;
+}
+
+inline Barycentric closest_point(const Triangle& t, const Vector3& p) {
+  return closest_point(t, (t[1] - t[0]).cross(t[2] - t[0]), p);
 }
 
 }  // namespace curvdecim

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <utility>
@@ -25,57 +26,130 @@ struct SurfacePoint {
   bool found() const { return face != none; }
 };
 
+/// For searches: takes every face.
+inline bool any_face(const Vector3&) { return true; }
+
+/// The point of face f nearest to p, if `accept` takes the face's normal (of any length) and it is
+/// nearer than `best`.
+template <class Surface, class Accept>
+void look_at(const Surface& surface, int f, const Vector3& p, Accept accept, SurfacePoint& best) {
+  const Triangle t = surface.triangle(f);
+  const Vector3 normal = (t[1] - t[0]).cross(t[2] - t[0]);
+  if (!accept(normal)) return;
+  const double height = normal.dot(p - t[0]);
+  if (height * height > best.distance2 * normal.squaredNorm()) return;  // so is its plane already
+  const Barycentric weight = closest_point(t, normal, p);
+  const double distance2 = (at(t, weight) - p).squaredNorm();
+  if (distance2 < best.distance2) best = {f, weight, distance2};
+}
+
+/// Four boxes in single precision, rounded outwards, on which the processor works at once; as they
+/// are made, there is nothing in them.
+class FourBoxes {
+ public:
+  static constexpr int count = 4;
+  using Four = float __attribute__((vector_size(count * sizeof(float))));
+
+  /// A point, and around it the numbers that single precision has.
+  struct Place {
+    std::array<float, 3> low, high;
+
+    explicit Place(const Vector3& p)
+        : low{below(p[0]), below(p[1]), below(p[2])}, high{above(p[0]), above(p[1]), above(p[2])} {}
+  };
+
+  FourBoxes() {
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    low_.fill(Four{} + infinity), high_.fill(Four{} - infinity);
+  }
+
+  void set(int i, const Vector3& low, const Vector3& high) {
+    for (int k = 0; k < 3; ++k) low_[k][i] = below(low[k]), high_[k][i] = above(high[k]);
+  }
+
+  /// Box i around all of the others.
+  void set(int i, const FourBoxes& others) {
+    for (int k = 0; k < 3; ++k) {
+      const Four& low = others.low_[k];
+      const Four& high = others.high_[k];
+      low_[k][i] = std::min(std::min(low[0], low[1]), std::min(low[2], low[3]));
+      high_[k][i] = std::max(std::max(high[0], high[1]), std::max(high[2], high[3]));
+    }
+  }
+
+  /// To each of the four, or a little less.
+  Four distance2(const Place& p) const {
+    constexpr float surely = 1.0f - 8.0f * unit;  // the sum's own rounding
+    Four sum{};
+    for (int k = 0; k < 3; ++k) {
+      const Four under = low_[k] - p.high[k], over = p.low[k] - high_[k];
+      const Four outside = under > over ? under : over;
+      const Four distance = outside > Four{} ? outside : Four{};
+      sum += distance * distance;
+    }
+    return surely * sum;
+  }
+
+ private:
+  static constexpr float unit = std::numeric_limits<float>::epsilon();
+
+  static float below(double x) {
+    const float nearest = static_cast<float>(x);
+    return nearest - (unit * std::abs(nearest) + std::numeric_limits<float>::min());
+  }
+  static float above(double x) { return -below(-x); }
+
+  std::array<Four, 3> low_, high_;  // by axis
+};
+
 /// Boxes around the faces of a surface in a box of diagonal 1, to find nearest points: leaves of
-/// some faces each in the order of a space-filling curve, and a complete binary tree over them.
+/// some faces each in the order of a space-filling curve, and a complete tree over them with four
+/// children a node.
 ///
-/// Surface: triangle(f) and plane[f]. Its vertices may move, if refit is called afterwards.
+/// Surface: triangle(f). Its vertices may move, if refit is called afterwards.
 template <class Surface>
 class TriangleTree {
  public:
   TriangleTree(const Surface& surface, int faces, const Parallel& parallel)
-      : surface_(surface), order_(faces) {
+      : surface_(surface),
+        order_(faces),
+        first_leaf_(std::max(1, (leaf_count() + 1) / 3)),
+        boxes_(first_leaf_) {
     sort_faces(parallel);
-    while (first_leaf_ < leaf_count()) first_leaf_ *= 2;
-    boxes_.resize(2 * first_leaf_);
     refit(parallel);
   }
 
+  /// Level by level, from the leaves to the root.
   void refit(const Parallel& parallel) {
-    parallel.for_each(leaf_count(), [&](int leaf) { boxes_[first_leaf_ + leaf] = box_of(leaf); });
-    for (int level = first_leaf_ / 2; level > 0; level /= 2)
-      parallel.for_each(level, [&](int i) {
-        const int node = level + i;
-        boxes_[node] = join(boxes_[2 * node], boxes_[2 * node + 1]);
-      });
+    int end = first_leaf_ + leaf_count();
+    for (int first = first_of_level(end - 1); first > 0; first = parent(first)) {
+      parallel.for_each(end - first, [&](int i) { fit_box(first + i); });
+      end = first;
+    }
   }
 
   /// hint: a face near by, to look at first, or SurfacePoint::none.
   SurfacePoint nearest(const Vector3& p, int hint) const {
-    return search(p, hint, std::numeric_limits<double>::infinity(), [](int) { return true; });
+    return search(p, hint, std::numeric_limits<double>::infinity(), any_face);
   }
 
   /// Of the faces that do not face away from `normal`, closer than the root of limit2; not found
   /// where there is none.
   SurfacePoint nearest_facing(const Vector3& p, const Vector3& normal, double limit2,
                               int hint) const {
-    return search(p, hint, limit2,
-                  [&](int f) { return surface_.plane[f].normal.dot(normal) >= 0.0; });
+    return search(p, hint, limit2, [&](const Vector3& n) { return n.dot(normal) >= 0.0; });
   }
 
  private:
-  static constexpr int leaf_size = 4;
+  static constexpr int leaf_size = 2;
+  static constexpr int width = FourBoxes::count;
 
-  struct Box {
-    Vector3 low = Vector3::Constant(std::numeric_limits<double>::infinity());
-    Vector3 high = -low;
-
-    double distance2(const Vector3& p) const {
-      return (low - p).cwiseMax(p - high).cwiseMax(0.0).squaredNorm();
-    }
-  };
-
-  static Box join(const Box& a, const Box& b) {
-    return {a.low.cwiseMin(b.low), a.high.cwiseMax(b.high)};
+  static int parent(int node) { return (node - 1) / width; }
+  static int child(int node, int i) { return width * node + 1 + i; }
+  static int first_of_level(int node) {
+    int first = 0;
+    while (child(first, 0) <= node) first = child(first, 0);
+    return first;
   }
 
   int face_count() const { return static_cast<int>(order_.size()); }
@@ -92,67 +166,72 @@ class TriangleTree {
     for (std::size_t i = 0; i < keys.size(); ++i) order_[i] = keys[i].second;
   }
 
-  Box box_of(int leaf) const {
-    Box box;
-    for (int i = leaf * leaf_size; i < end_of(leaf); ++i)
-      for (const Vector3& p : surface_.triangle(order_[i]))
-        box.low = box.low.cwiseMin(p), box.high = box.high.cwiseMax(p);
-    return box;
+  void fit_box(int node) {
+    FourBoxes& boxes = boxes_[parent(node)];
+    const int place = node - child(parent(node), 0);
+    if (node < first_leaf_) return boxes.set(place, boxes_[node]);
+    Vector3 low = Vector3::Constant(std::numeric_limits<double>::infinity()), high = -low;
+    for (int f : leaf(node))
+      for (const Vector3& p : surface_.triangle(f)) low = low.cwiseMin(p), high = high.cwiseMax(p);
+    boxes.set(place, low, high);
   }
 
-  int end_of(int leaf) const { return std::min(face_count(), (leaf + 1) * leaf_size); }
+  struct Faces {
+    const int* first;
+    const int* last;
+    const int* begin() const { return first; }
+    const int* end() const { return last; }
+  };
+  Faces leaf(int node) const {
+    const int begin = (node - first_leaf_) * leaf_size;
+    return {order_.data() + begin, order_.data() + std::min(face_count(), begin + leaf_size)};
+  }
 
   struct Waiting {
     int node;
-    double distance2;
+    float distance2;
   };
 
   template <class Accept>
   SurfacePoint search(const Vector3& p, int hint, double limit2, Accept accept) const {
-    constexpr int deepest = 64;  // a level of the tree each
+    constexpr int most = 64;  // three of each level, of which there are no more than 16
     SurfacePoint best;
     best.distance2 = limit2;
-    if (hint != SurfacePoint::none && accept(hint)) look_at(hint, p, best);
-    std::array<Waiting, deepest> stack;
+    if (hint != SurfacePoint::none) look_at(surface_, hint, p, accept, best);
+    const FourBoxes::Place place(p);
+    std::array<Waiting, most> stack;
     int waiting = 0;
-    stack[waiting++] = {1, boxes_[1].distance2(p)};
+    stack[waiting++] = {0, 0.0f};
     while (waiting > 0) {
       const auto [node, distance2] = stack[--waiting];
       if (distance2 >= best.distance2) continue;
-      const int leaf = descend(node, p, best.distance2, stack.data(), waiting) - first_leaf_;
-      for (int i = leaf * leaf_size; leaf >= 0 && i < end_of(leaf); ++i)
-        if (accept(order_[i])) look_at(order_[i], p, best);
+      if (node < first_leaf_)
+        waiting = push_children(node, place, best.distance2, stack.data(), waiting);
+      else
+        for (int f : leaf(node)) look_at(surface_, f, p, accept, best);
     }
     return best;
   }
 
-  /// To the leaf at the end of the nearer children; the farther ones have to wait. Above the
-  /// leaves where nothing is near enough.
-  int descend(int node, const Vector3& p, double limit2, Waiting* stack, int& waiting) const {
-    while (node < first_leaf_) {
-      Waiting near{2 * node, boxes_[2 * node].distance2(p)};
-      Waiting far{2 * node + 1, boxes_[2 * node + 1].distance2(p)};
-      if (far.distance2 < near.distance2) std::swap(near, far);
-      if (near.distance2 >= limit2) break;
-      if (far.distance2 < limit2) stack[waiting++] = far;
-      node = near.node;
+  /// Those near enough, the nearest on top.
+  int push_children(int node, const FourBoxes::Place& p, double limit2, Waiting* stack,
+                    int waiting) const {
+    const FourBoxes::Four distance2 = boxes_[node].distance2(p);
+    const int bottom = waiting;
+    for (int i = 0; i < width; ++i) {
+      if (distance2[i] >= limit2) continue;
+      stack[waiting] = {child(node, i), distance2[i]};
+      if (waiting > bottom && stack[waiting - 1].distance2 < distance2[i])
+        std::swap(stack[waiting - 1], stack[waiting]);
+      ++waiting;
     }
-    return node;
-  }
-
-  void look_at(int f, const Vector3& p, SurfacePoint& best) const {
-    const Triangle t = surface_.triangle(f);
-    const double height = surface_.plane[f].normal.dot(p - t[0]);
-    if (height * height >= best.distance2) return;  // its plane is further away already
-    const Barycentric weight = closest_point(t, p);
-    const double distance2 = (at(t, weight) - p).squaredNorm();
-    if (distance2 < best.distance2) best = {f, weight, distance2};
+    return waiting;
   }
 
   const Surface& surface_;
-  std::vector<int> order_;  // faces along the curve
-  int first_leaf_ = 1;      // a power of two; node i has the children 2 i and 2 i + 1
-  std::vector<Box> boxes_;  // by node, from 1
+  std::vector<int> order_;        // faces along the curve
+  int first_leaf_;                // nodes before it have children, from child(node, 0)
+  std::vector<FourBoxes> boxes_;  // of the children of a node
 };
 
 }  // namespace curvdecim

@@ -27,10 +27,9 @@ inline std::vector<Edge> border_edges(const WorkingMesh& mesh) {
 struct BorderCurve {
   const std::vector<Vector3>& position;  // by vertex
   std::vector<Edge> edges;
-  std::vector<FacePlane> plane;  // by edge: none has one
 
   BorderCurve(const std::vector<Vector3>& positions, std::vector<Edge> border)
-      : position(positions), edges(std::move(border)), plane(edges.size()) {}
+      : position(positions), edges(std::move(border)) {}
 
   int size() const { return static_cast<int>(edges.size()); }
   Triangle triangle(int e) const {
