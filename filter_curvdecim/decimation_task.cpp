@@ -14,22 +14,44 @@ std::string log_line(const Result& result) {
   return result.name + ": " + std::visit(Text(), result.value);
 }
 
+namespace {
+
+/// What every decimation tells first.
+Outcome counts_of(const DecimationReport& report) {
+  return {{{"faces_before", report.faces_before},
+           {"faces", report.faces},
+           {"vertices_before", report.vertices_before},
+           {"vertices", report.vertices},
+           {"stopped_by", report.stopped_by}},
+          report.notes,
+          false};
+}
+
+}  // namespace
+
 Outcome outcome_of(const DecimationReport& report, const DecimationParams& params) {
-  Outcome outcome;
-  outcome.results = {{"faces_before", report.faces_before},
-                     {"faces", report.faces},
-                     {"vertices_before", report.vertices_before},
-                     {"vertices", report.vertices},
-                     {"stopped_by", report.stopped_by}};
+  Outcome outcome = counts_of(report);
   if (params.max_error > 0.0) outcome.results.push_back({"max_error", report.max_error});
   outcome.results.push_back({"cost_last", report.cost_last});
   for (std::size_t reason = 0; reason < rejection_names.size(); ++reason)
     outcome.results.push_back(
         {std::string("rejected_") + rejection_names[reason], report.rejected[reason]});
   outcome.results.push_back({"seconds", report.seconds});
-  outcome.notes = report.notes;
   outcome.mesh_changed =
       report.faces != report.faces_before || report.vertices != report.vertices_before;
+  return outcome;
+}
+
+Outcome outcome_of(const ClusteringReport& report) {
+  Outcome outcome = counts_of(report);
+  outcome.results.insert(outcome.results.end(), {{"cell_size", report.cell_size},
+                                                 {"max_error", report.max_error},
+                                                 {"cost_last", report.cost_last},
+                                                 {"rejected_degenerate", report.degenerate},
+                                                 {"rejected_duplicate", report.duplicate},
+                                                 {"rejected_crowded_edge", report.crowded},
+                                                 {"seconds", report.seconds}});
+  outcome.mesh_changed = report.cell_size > 0.0;
   return outcome;
 }
 

@@ -12,6 +12,7 @@
 #include <vcg/complex/algorithms/update/color.h>
 #include <vcg/complex/complex.h>
 
+#include "vcg_ext/cluster.h"
 #include "vcg_ext/decimate.h"
 
 namespace curvdecim {
@@ -33,6 +34,7 @@ struct Outcome {
 std::string log_line(const Result& result);
 
 Outcome outcome_of(const DecimationReport& report, const DecimationParams& params);
+Outcome outcome_of(const ClusteringReport& report);
 
 /// The value below which a fraction of them lies; there must be one.
 double percentile(const std::vector<double>& sorted, double fraction);
@@ -41,6 +43,12 @@ template <class MeshType>
 Outcome decimate_by_edge_collapse(MeshType& mesh, const EdgeCollapseParams& params,
                                   const Progress& progress) {
   return outcome_of(decimate_edge_collapse(mesh, params, progress), params);
+}
+
+template <class MeshType>
+Outcome decimate_by_clustering(MeshType& mesh, const ClusteringParams& params,
+                               const Progress& progress) {
+  return outcome_of(decimate_vertex_clustering(mesh, params, progress));
 }
 
 /// The qualities of the vertices that faces use, ascending.

@@ -42,6 +42,12 @@ Outcome run_edge_collapse(MeshModel& mesh, const Settings& settings, const Progr
   return outcome;
 }
 
+Outcome run_clustering(MeshModel& mesh, const Settings& settings, const Progress& progress) {
+  const Outcome outcome = decimate_by_clustering(mesh.cm, settings.clustering, progress);
+  if (outcome.mesh_changed) refresh(mesh);
+  return outcome;
+}
+
 Outcome run_importance(MeshModel& mesh, const Settings& settings, const Progress& progress) {
   const Outcome outcome = show_curvature_importance(mesh.cm, settings.importance, progress);
   if (outcome.mesh_changed)
@@ -69,6 +75,8 @@ const std::vector<Filter>& filters() {
   static const std::vector<Filter> rows = {
       filter(FilterId::CurvatureEdgeCollapse, MeshModel::MM_FACENUMBER,
              MeshModel::MM_GEOMETRY_AND_TOPOLOGY_CHANGE, run_edge_collapse),
+      filter(FilterId::VertexClustering, MeshModel::MM_FACENUMBER,
+             MeshModel::MM_GEOMETRY_AND_TOPOLOGY_CHANGE, run_clustering),
       filter(FilterId::CurvatureImportance, MeshModel::MM_FACENUMBER,
              MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR, run_importance),
   };

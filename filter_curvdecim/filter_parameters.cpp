@@ -52,11 +52,21 @@ std::vector<const Parameter*> parameters_of(FilterId filter) {
   return rows;
 }
 
+MeshDefault mesh_default_of(const Parameter& parameter, FilterId filter) {
+  return binding_of(parameter, filter)->mesh_default;
+}
+
+Meaning meaning_of(const Parameter& parameter, FilterId filter) {
+  return binding_of(parameter, filter)->meaning.value_or(Meaning{parameter.help, parameter.hint});
+}
+
 Value default_value(const Parameter& parameter, FilterId filter, const MeshFacts& mesh) {
-  switch (parameter.mesh_default) {
+  switch (mesh_default_of(parameter, filter)) {
     case MeshDefault::HalfOfFaces:
       return (mesh.selected_faces > 0 ? mesh.selected_faces : mesh.faces) / 2;
     case MeshDefault::FacesSelected: return mesh.selected_faces > 0;
+    case MeshDefault::PercentOfDiagonal:
+      return std::isfinite(mesh.diagonal) ? 0.01 * mesh.diagonal : 0.0;
     case MeshDefault::None: break;
   }
   return binding_of(parameter, filter)->get(Settings());
@@ -79,7 +89,7 @@ std::string describe(const Range& range, const std::string& unit) {
   return text.empty() ? text : with_unit(text, unit);
 }
 
-std::string dialog_help(const Parameter& parameter) {
+std::string dialog_help(const Parameter& parameter, FilterId filter) {
   constexpr std::size_t line = 70;  // characters that the dialog shows side by side
   std::size_t length = 0;
   for (const EnumValue& value : parameter.values)
@@ -89,7 +99,8 @@ std::string dialog_help(const Parameter& parameter) {
   for (const EnumValue& value : parameter.values)
     values += (values.empty() ? "<b>" : between) + value.name + "</b>" +
               (value.hint.empty() ? "" : ": ") + value.hint;
-  return parameter.hint + (parameter.hint.empty() || values.empty() ? "" : "<br>") + values;
+  const std::string hint = meaning_of(parameter, filter).hint;
+  return hint + (hint.empty() || values.empty() ? "" : "<br>") + values;
 }
 
 std::string decimal(double number) {

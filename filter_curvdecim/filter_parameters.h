@@ -2,6 +2,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -14,6 +15,7 @@ namespace curvdecim {
 /// The core's parameters of every filter.
 struct Settings {
   EdgeCollapseParams edge_collapse;
+  ClusteringParams clustering;
   ImportanceParams importance;
 };
 
@@ -35,13 +37,20 @@ struct EnumValue {
 };
 
 /// A default that depends on the mesh; otherwise it is that of the default-constructed parameters.
-enum class MeshDefault { None, HalfOfFaces, FacesSelected };
+enum class MeshDefault { None, HalfOfFaces, FacesSelected, PercentOfDiagonal };
+
+/// Help and hint of a parameter.
+struct Meaning {
+  std::string help, hint;
+};
 
 /// A filter that has the parameter, and the member of its parameters that holds the value.
 struct Binding {
   FilterId filter;
   void (*set)(Settings&, const Value&);
   Value (*get)(const Settings&);
+  MeshDefault mesh_default = MeshDefault::None;
+  std::optional<Meaning> meaning = std::nullopt;  ///< where it differs from the row's
 };
 
 struct Parameter {
@@ -54,7 +63,6 @@ struct Parameter {
   std::string hint;  ///< for the dialog, which cuts longer texts off; may be empty for an Enum
   std::vector<EnumValue> values;
   std::vector<Binding> bindings;
-  MeshDefault mesh_default = MeshDefault::None;
 };
 
 /// What defaults may depend on. Lengths in the mesh's unit.
@@ -70,6 +78,10 @@ const std::vector<Parameter>& parameter_table();
 /// The rows of one filter.
 std::vector<const Parameter*> parameters_of(FilterId filter);
 
+MeshDefault mesh_default_of(const Parameter& parameter, FilterId filter);
+
+Meaning meaning_of(const Parameter& parameter, FilterId filter);
+
 Value default_value(const Parameter& parameter, FilterId filter, const MeshFacts& mesh);
 
 /// Throws InputError for a value out of range, and names the parameter, the value and the range.
@@ -79,7 +91,7 @@ void assign(Settings& settings, FilterId filter, const Parameter& parameter, con
 std::string describe(const Range& range, const std::string& unit);
 
 /// The hint, or those of the enum values on a line each, in HTML.
-std::string dialog_help(const Parameter& parameter);
+std::string dialog_help(const Parameter& parameter, FilterId filter);
 
 /// The shortest decimal number that reads back as this one.
 std::string decimal(double number);

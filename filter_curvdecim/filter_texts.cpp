@@ -26,6 +26,13 @@ constexpr Reference yao = {
     "L. Yao, S. Huang, H. Xu, P. Li",
     "Quadratic error metric mesh simplification algorithm based on discrete curvature",
     "Mathematical Problems in Engineering, 2015"};
+constexpr Reference rossignac_borrel = {"J. Rossignac, P. Borrel",
+                                        "Multi-resolution 3D approximations for rendering",
+                                        "Modeling in Computer Graphics, 1993"};
+constexpr Reference lindstrom = {"P. Lindstrom", "Out-of-core simplification of large models",
+                                 "SIGGRAPH 2000"};
+constexpr Reference ciolczyk_janczykowski = {"M. Ciolczyk, M. Janczykowski",
+                                             "Mesh simplification: vertex clustering", "slides"};
 
 /// The list of references as MeshLab asks for it: authors, title, source. The dialog of MeshLab
 /// 2020.09 does not scroll and would be too high for a screen, so each takes one line.
@@ -41,6 +48,13 @@ const char* const edge_collapse_info =
     "Collapse edges, cheapest first, and spend the faces that remain where the surface is curved. "
     "A closed manifold stays one; borders and sharp edges are kept. <i>Curvature Importance</i> "
     "shows what a setting protects. The log says what was done.";
+
+const char* const clustering_info =
+    "Put a grid over the mesh and make one vertex of all in a cell: the fastest way to a coarse "
+    "mesh, of any input. No vertex moves further than the size of a cell, and with <i>Simplify "
+    "only "
+    "selected faces</i> the rest stays. Thin parts may vanish and edges get more than two faces; "
+    "edge collapse keeps both, and more of the shape. The log says what was done.";
 
 const char* const importance_info =
     "Write to the quality of every vertex, and show as colour, what the metric CurvatureWeighted "
@@ -59,6 +73,9 @@ const std::vector<FilterText>& filter_texts() {
        "meshing_decimation_curvature_edge_collapse", Category::Remeshing,
        edge_collapse_info +
            bibliography({garland_heckbert, lindstrom_turk, pellizzoni_savio, yao})},
+      {FilterId::VertexClustering, "Simplification: Vertex Clustering with Representatives",
+       "meshing_decimation_vertex_clustering", Category::Remeshing,
+       clustering_info + bibliography({rossignac_borrel, lindstrom, ciolczyk_janczykowski})},
       {FilterId::CurvatureImportance, "Curvature Importance",
        "compute_scalar_by_curvature_importance", Category::QualityMeasure,
        importance_info + bibliography({pellizzoni_savio})},

@@ -19,7 +19,7 @@ using StoredAs =
 
 /// Binds Settings.*params.*member. Stored: the alternative of Value that the parameter's kind has.
 template <auto params, auto member, class Stored = void>
-Binding bind(FilterId filter) {
+Binding bind(FilterId filter, MeshDefault mesh_default = MeshDefault::None) {
   using Field = std::decay_t<decltype(Settings().*params.*member)>;
   using Alternative = std::conditional_t<std::is_void_v<Stored>, StoredAs<Field>, Stored>;
   return {filter,
@@ -28,18 +28,37 @@ Binding bind(FilterId filter) {
           },
           [](const Settings& settings) -> Value {
             return static_cast<Alternative>(settings.*params.*member);
-          }};
+          },
+          mesh_default,
+          std::nullopt};
 }
 
 template <auto member>
-Binding edge_collapse() {
-  return bind<&Settings::edge_collapse, member>(FilterId::CurvatureEdgeCollapse);
+Binding edge_collapse(MeshDefault mesh_default = MeshDefault::None) {
+  return bind<&Settings::edge_collapse, member>(FilterId::CurvatureEdgeCollapse, mesh_default);
 }
 
-/// Every filter that decimates.
+template <auto member>
+Binding clustering(MeshDefault mesh_default = MeshDefault::None) {
+  return bind<&Settings::clustering, member>(FilterId::VertexClustering, mesh_default);
+}
+
+/// Where a parameter has another meaning than in the row's first filter.
+Binding meaning(Binding binding, const char* help, const char* hint) {
+  binding.meaning = {help, hint};
+  return binding;
+}
+
+/// Every filter that decimates edge by edge.
 template <auto member>
 std::vector<Binding> decimation() {
   return {edge_collapse<member>()};
+}
+
+/// Every filter that decimates; in_clusters: the member of ClusteringParams.
+template <auto member, auto in_clusters>
+std::vector<Binding> every_decimation(MeshDefault mesh_default = MeshDefault::None) {
+  return {edge_collapse<member>(mesh_default), clustering<in_clusters>(mesh_default)};
 }
 
 /// Every filter that weighs by curvature.
@@ -53,17 +72,30 @@ std::vector<Binding> curvature() {
 // clang-format off
 std::vector<Parameter> target_rows() {
   return {
+      {"CellSize", "Size of a cell", Kind::Length, at_least(0), "in the mesh's unit",
+       "The largest diameter of a cell: no vertex moves further. Given as a length or as per cent "
+       "of the bounding box's diagonal. Not used with a <i>Target number of faces</i> or "
+       "<i>Fraction of the faces</i>.",
+       "Its largest diameter: no vertex moves further than this.",
+       {}, {clustering<&ClusteringParams::cell_size>(MeshDefault::PercentOfDiagonal)}},
       {"TargetFaceNum", "Target number of faces", Kind::Int, at_least(0), "faces",
        "Stop at this many faces; with <i>Simplify only selected faces</i>, at this many selected "
        "faces. A last collapse removes two faces at once, so the result may have one face less. "
        "0: as few as the other parameters allow, for example up to <i>Maximum error</i>.",
        "Stop at this many faces (selected faces, if only those may change).",
-       {}, decimation<&DecimationParams::target_faces>(), MeshDefault::HalfOfFaces},
+       {}, {edge_collapse<&DecimationParams::target_faces>(MeshDefault::HalfOfFaces),
+            meaning(clustering<&ClusteringParams::target_faces>(),
+                    "Instead of <i>Size of a cell</i>: the size is looked for at which this many "
+                    "faces are left, of the selected ones with <i>Simplify only selected faces</i>. "
+                    "The result has up to 2 % more or less, or the nearest number that there is. "
+                    "0: not used.",
+                    "0: not used. Wins over the size of a cell.")}},
       {"TargetPerc", "Fraction of the faces (0..1; 0: not used)", Kind::Float, fraction, "",
        "0.2 keeps a fifth of the faces, of the selected ones with <i>Simplify only selected "
        "faces</i>. 0: not used; otherwise it wins over <i>Target number of faces</i>.",
        "0.2 keeps a fifth of the faces. Wins over the number of faces.",
-       {}, decimation<&DecimationParams::target_fraction>()},
+       {}, every_decimation<&DecimationParams::target_fraction,
+                            &ClusteringParams::target_fraction>()},
       {"TargetVertNum", "Target number of vertices (0: not used)",
        Kind::Int, at_least(0), "vertices",
        "Stop at this many vertices of the whole mesh. 0: not used; otherwise it wins over "
@@ -100,6 +132,35 @@ std::vector<Parameter> metric_rows() {
         {"CurvatureAdditive", "plus bend",
          "the same, plus a term that grows with the bend at the edge (Yao and others)"}},
        {edge_collapse<&EdgeCollapseParams::metric>()}},
+  };
+}
+
+std::vector<Parameter> clustering_rows() {
+  return {
+      {"Representative", "Representative of a cell", Kind::Enum, any, "",
+       "Where the vertex of a cell goes. It stays within the cell.", "",
+       {{"Quadric", "lowest error",
+         "where the squared distance to the planes of the faces is least, or, where that leaves a "
+         "choice, near the mean: the lowest error (Lindstrom)"},
+        {"Mean", "", "the mean of the cell's vertices"},
+        {"WeightedMean", "as below", "the same, with the weights chosen below"},
+        {"Median", "an original vertex",
+         "the vertex nearest to the median of every coordinate: the result has original vertices "
+         "only"},
+        {"CellCenter", "", "the middle of the cell"}},
+       {clustering<&ClusteringParams::representative>()}},
+      {"MeanWeight", "Weight in WeightedMean", Kind::Enum, any, "",
+       "What a vertex counts in the representative WeightedMean.", "",
+       {{"Area", "of the faces around", "the area around it: independent of the tessellation"},
+        {"Curvature", "", "the area around it times its curvature |k1| + |k2|: drawn to what is "
+         "curved"},
+        {"Quality", "of the vertex", "its quality: paint or compute a high one on what matters"}},
+       {clustering<&ClusteringParams::mean_weight>()}},
+      {"ManifoldEdges", "At most two faces at an edge", Kind::Bool, any, "",
+       "Drop faces until no edge has more than two, and keep as many as possible. This leaves "
+       "holes.",
+       "Drops faces, and so leaves holes.",
+       {}, {clustering<&ClusteringParams::manifold_edges>()}},
   };
 }
 
@@ -202,8 +263,8 @@ std::vector<Parameter> custom_rows() {
       {"RefineSweeps", "Refinement sweeps (preset Custom)", Kind::Int, at_least(0), "sweeps",
        "After the collapses each sweep moves the vertices to where both surfaces come closest and "
        "flips edges where that helps; the number of faces stays. 0: none, and none with <i>Maximum "
-       "error</i> or the placement HalfEdge. Used with the preset Custom; Best has 4.",
-       "Fits the result to the input; Best has 4.",
+       "error</i> or the placement HalfEdge. Used with the preset Custom; Best has 3.",
+       "Fits the result to the input; Best has 3.",
        {}, {edge_collapse<&EdgeCollapseParams::refine_sweeps>()}},
   };
 }
@@ -219,7 +280,11 @@ std::vector<Parameter> guard_rows() {
        "Weight of borders and sharp edges against the surface, 1 counting both alike. Raise it to "
        "keep more vertices on them.",
        "Of borders and sharp edges; more keeps more vertices on them.",
-       {}, decimation<&DecimationParams::boundary_weight>()},
+       {}, {edge_collapse<&DecimationParams::boundary_weight>(),
+            meaning(clustering<&ClusteringParams::boundary_weight>(),
+                    "Weight of open borders against the surface in the representative Quadric, 1 "
+                    "counting both alike.",
+                    "Of open borders, in the representative Quadric.")}},
       {"PreserveNormal", "Preserve normal", Kind::Bool, any, "",
        "Refuse a collapse that turns a face by more than <i>Largest turn of a face</i>. Switch "
        "off only when folded faces do not matter.",
@@ -245,16 +310,21 @@ std::vector<Parameter> guard_rows() {
       {"Selected", "Simplify only selected faces", Kind::Bool, any, "",
        "The rest of the mesh stays as it is, to the bit. The targets then count selected faces.",
        "The rest of the mesh stays as it is; targets count selected faces.",
-       {}, decimation<&DecimationParams::selected_only>(), MeshDefault::FacesSelected},
+       {}, every_decimation<&DecimationParams::selected_only,
+                            &ClusteringParams::selected_only>(MeshDefault::FacesSelected)},
       {"QualityWeight", "Weighted simplification", Kind::Bool, any, "",
        "The quality of the vertices multiplies the cost: paint or compute a high quality on what "
        "matters.",
        "Vertex quality multiplies the cost.",
-       {}, decimation<&DecimationParams::quality_weight>()},
+       {}, {edge_collapse<&DecimationParams::quality_weight>(),
+            meaning(clustering<&ClusteringParams::quality_weight>(),
+                    "The quality of the vertices multiplies the planes of the representative "
+                    "Quadric: paint or compute a high quality on what matters.",
+                    "Vertex quality multiplies the quadrics.")}},
       {"Threads", "Number of threads (0: all cores)", Kind::Int, at_least(0), "threads",
        "0: all cores. It never changes the result.",
        "It never changes the result.",
-       {}, decimation<&DecimationParams::threads>()},
+       {}, every_decimation<&DecimationParams::threads, &ClusteringParams::threads>()},
   };
 }
 
@@ -266,7 +336,7 @@ const std::vector<Parameter>& parameter_table() {
   static const std::vector<Parameter> table = [] {
     std::vector<Parameter> rows;
     for (const auto& group :
-         {target_rows(), metric_rows(), curvature_rows(), custom_rows(), guard_rows()})
+         {target_rows(), clustering_rows(), metric_rows(), curvature_rows(), custom_rows(), guard_rows()})
       rows.insert(rows.end(), group.begin(), group.end());
     return rows;
   }();

@@ -26,13 +26,14 @@ double as_typed(float number) {
   return typed;
 }
 
-void add_parameter(RichParameterList& list, const Parameter& parameter, const Value& value,
-                   double diagonal) {
+void add_parameter(RichParameterList& list, const Parameter& parameter, FilterId filter,
+                   const MeshFacts& mesh) {
+  const Value value = default_value(parameter, filter, mesh);
   const QString name = QString::fromStdString(parameter.name);
   const QString label = QString::fromStdString(parameter.label);
-  const QString help = QString::fromStdString(dialog_help(parameter));
+  const QString help = QString::fromStdString(dialog_help(parameter, filter));
   // The dialog divides by the diagonal to show per cent.
-  const double whole = std::isfinite(diagonal) && diagonal > 0.0 ? diagonal : 1.0;
+  const double whole = std::isfinite(mesh.diagonal) && mesh.diagonal > 0.0 ? mesh.diagonal : 1.0;
   switch (parameter.kind) {
     case Kind::Bool: list.addParam(RichBool(name, std::get<bool>(value), label, help)); break;
     case Kind::Int: list.addParam(RichInt(name, std::get<int>(value), label, help)); break;
@@ -70,7 +71,7 @@ Value read_value(const Parameter& parameter, const ::Value& value) {
 RichParameterList rich_parameters(FilterId filter, const MeshFacts& mesh) {
   RichParameterList list;
   for (const Parameter* parameter : parameters_of(filter))
-    add_parameter(list, *parameter, default_value(*parameter, filter, mesh), mesh.diagonal);
+    add_parameter(list, *parameter, filter, mesh);
   return list;
 }
 

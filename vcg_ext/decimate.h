@@ -51,7 +51,7 @@ void run_edge_collapse(MeshType& mesh, EdgeCollapseParams params, ProgressMeter&
   params.max_error /= snapshot.diagonal;
   const std::optional<StopCriterion> stop = set_up(mesh, params, snapshot, report);
   if (!stop) return;
-  BlendRecord blend(has_varying_attributes(mesh, snapshot),
+  BlendRecord blend(has_varying_attributes(mesh, snapshot.vertex_of),
                     expected_collapses(snapshot.mesh, *stop));
   std::optional<WedgeTexture> wedges = read_wedges(mesh, snapshot);
   note_attributes(mesh, snapshot, wedges, report);

@@ -107,6 +107,38 @@ struct EdgeCollapseParams : DecimationParams, CurvatureParams {
                           ///< none with max_error or HalfEdge
 };
 
+/// Where the vertices of a cell go @cite ciolczyk.
+enum class Representative {
+  Quadric,       ///< the least squared distance to the planes of the faces, within the cell
+  Mean,          ///< the mean of the vertices
+  WeightedMean,  ///< the same, by MeanWeight
+  Median,        ///< the vertex nearest to the median of every coordinate
+  CellCenter,    ///< the middle of the cell
+};
+
+/// By what WeightedMean weighs a vertex.
+enum class MeanWeight {
+  Area,       ///< a third of the faces around it
+  Curvature,  ///< the same times |k1| + |k2|
+  Quality,    ///< the vertex quality
+};
+
+/// Lengths are in the mesh's unit.
+struct ClusteringParams {
+  double cell_size = 0.0;  ///< >= 0: largest diameter of a cell; no vertex moves further
+  int target_faces = 0;    ///< >= 0: instead of cell_size, this many faces (selected faces with
+                           ///< selected_only), within 2 % or the nearest; 0: not used
+  double target_fraction =
+      0.0;  ///< [0, 1]: fraction of the faces to keep; 0: not used, else it wins
+  Representative representative = Representative::Quadric;
+  MeanWeight mean_weight = MeanWeight::Area;
+  double boundary_weight = 1.0;  ///< >= 0: weight of the boundary in the quadrics
+  bool quality_weight = false;   ///< per-vertex quality multiplies the quadrics
+  bool manifold_edges = false;   ///< drop faces until no edge has more than two
+  bool selected_only = false;    ///< only selected faces change
+  int threads = 0;               ///< >= 0; 0: all cores; never changes the result
+};
+
 /// What the Curvature Importance filter shows.
 struct ImportanceParams : CurvatureParams {
   bool as_factor = false;  ///< the factor on the cost instead of the curvature itself

@@ -49,4 +49,14 @@ inline void validate(const EdgeCollapseParams& params) {
   require_at_least("RefineSweeps", params.refine_sweeps, 0);
 }
 
+inline void validate(const ClusteringParams& params) {
+  require_at_least("CellSize", params.cell_size, 0.0);
+  require_at_least("TargetFaceNum", params.target_faces, 0);
+  require_range("TargetPerc", params.target_fraction, 0.0, 1.0);
+  require_at_least("BoundaryWeight", params.boundary_weight, 0.0);
+  require_at_least("Threads", params.threads, 0);
+  if (params.cell_size == 0.0 && params.target_faces == 0 && params.target_fraction == 0.0)
+    throw InputError("No target is given. Set CellSize, TargetFaceNum or TargetPerc.");
+}
+
 }  // namespace curvdecim

@@ -46,7 +46,7 @@ std::string python_name(std::string name) {
 Json bound(double number) { return std::isfinite(number) ? Json(number) : Json(nullptr); }
 
 Json default_of(const Parameter& parameter, FilterId filter) {
-  if (parameter.mesh_default != MeshDefault::None) return "dynamic";
+  if (mesh_default_of(parameter, filter) != MeshDefault::None) return "dynamic";
   const Value value = default_value(parameter, filter, {});
   if (parameter.kind == Kind::Enum) return parameter.values[std::get<int>(value)].name;
   return std::visit([](auto stored) { return Json(stored); }, value);
@@ -71,7 +71,7 @@ Json describe_parameter(const Parameter& parameter, FilterId filter) {
           {"unit", parameter.unit},
           {"values", values_of(parameter)},
           {"label", parameter.label},
-          {"help", parameter.help}};
+          {"help", meaning_of(parameter, filter).help}};
 }
 
 Json describe_filter(const FilterText& text) {
@@ -100,10 +100,11 @@ Json as_json() {
 }
 
 std::string default_text(const Parameter& parameter, FilterId filter) {
-  switch (parameter.mesh_default) {
+  switch (mesh_default_of(parameter, filter)) {
     case MeshDefault::HalfOfFaces:
       return "half of the faces, or of the selected ones if there are any";
     case MeshDefault::FacesSelected: return "true if faces are selected";
+    case MeshDefault::PercentOfDiagonal: return "1 % of the bounding box's diagonal";
     case MeshDefault::None: break;
   }
   const Json value = default_of(parameter, filter);
@@ -116,7 +117,7 @@ void print_parameter(const Parameter& parameter, FilterId filter) {
             << parameter.label << ". In Python: `" << python_name(parameter.name)
             << "`. Type: " << type_name(parameter.kind) << (range.empty() ? "" : ", " + range)
             << ". Default: " << default_text(parameter, filter) << ".\n\n"
-            << parameter.help << "\n\n";
+            << meaning_of(parameter, filter).help << "\n\n";
   for (const EnumValue& value : parameter.values)
     std::cout << "* `" << value.name << "`: " << value.meaning << "\n";
   if (!parameter.values.empty()) std::cout << "\n";

@@ -50,7 +50,8 @@ TEST(ParameterTable, HasUniqueNamesAndTexts) {
     EXPECT_TRUE(names.insert(parameter.name).second) << parameter.name;
     EXPECT_FALSE(parameter.label.empty()) << parameter.name;
     EXPECT_FALSE(parameter.help.empty()) << parameter.name;
-    EXPECT_FALSE(dialog_help(parameter).empty()) << parameter.name;
+    for (const Binding& binding : parameter.bindings)
+      EXPECT_FALSE(dialog_help(parameter, binding.filter).empty()) << parameter.name;
     EXPECT_EQ(parameter.kind == Kind::Enum, !parameter.values.empty()) << parameter.name;
     EXPECT_FALSE(parameter.bindings.empty()) << parameter.name;
   }
@@ -72,11 +73,12 @@ std::vector<std::string> visible_lines(const std::string& html) {
 /// MeshLab 2020.09 gives a text that it breaks itself less height than it takes, but for two lines.
 TEST(ParameterTable, TextsFitTheDialog) {
   constexpr std::size_t characters_a_line = 36;
-  for (const Parameter& parameter : parameter_table()) {
-    const auto lines = visible_lines(dialog_help(parameter));
-    for (const std::string& line : lines)
-      EXPECT_LE(line.size(), (lines.size() == 1 ? 2 : 1) * characters_a_line) << line;
-  }
+  for (const Parameter& parameter : parameter_table())
+    for (const Binding& binding : parameter.bindings) {
+      const auto lines = visible_lines(dialog_help(parameter, binding.filter));
+      for (const std::string& line : lines)
+        EXPECT_LE(line.size(), (lines.size() == 1 ? 2 : 1) * characters_a_line) << line;
+    }
 }
 
 TEST(ParameterTable, EveryFilterHasTexts) {

@@ -140,6 +140,8 @@ class TriangleTree {
     return search(p, hint, limit2, [&](const Vector3& n) { return n.dot(normal) >= 0.0; });
   }
 
+  const Surface& surface() const { return surface_; }
+
  private:
   static constexpr int leaf_size = 2;
   static constexpr int width = FourBoxes::count;

@@ -14,16 +14,22 @@
 
 namespace curvdecim {
 
+template <class FaceType>
+FaceWedges wedges_of(const FaceType& face) {
+  FaceWedges wedges;
+  for (int i = 0; i < 3; ++i) {
+    const auto& texture = face.cWT(i);
+    wedges[i] = {double(texture.u()), double(texture.v()), texture.n()};
+  }
+  return wedges;
+}
+
 /// The wedge texture coordinates of the working faces, if the mesh has them.
 template <class MeshType>
 std::optional<WedgeTexture> read_wedges(const MeshType& mesh, const Snapshot& snapshot) {
   if (!vcg::tri::HasPerWedgeTexCoord(mesh)) return std::nullopt;
-  std::vector<FaceWedges> wedges(snapshot.mesh.face_origin.size());
-  for (std::size_t f = 0; f < wedges.size(); ++f)
-    for (int i = 0; i < 3; ++i) {
-      const auto& texture = mesh.face[snapshot.mesh.face_origin[f]].cWT(i);
-      wedges[f][i] = {double(texture.u()), double(texture.v()), texture.n()};
-    }
+  std::vector<FaceWedges> wedges;
+  for (int f : snapshot.mesh.face_origin) wedges.push_back(wedges_of(mesh.face[f]));
   return WedgeTexture(std::move(wedges));
 }
 
@@ -39,10 +45,10 @@ inline bool has_seams(const WorkingMesh& mesh, const WedgeTexture& wedges) {
   return false;
 }
 
-/// True if a vertex attribute other than the normal differs from vertex to vertex.
+/// True if a vertex attribute other than the normal differs among these vertices of the vcg mesh.
 template <class MeshType>
-bool has_varying_attributes(const MeshType& mesh, const Snapshot& snapshot) {
-  const auto& first = mesh.vert[snapshot.vertex_of[0]];
+bool has_varying_attributes(const MeshType& mesh, const std::vector<int>& vertices) {
+  const auto& first = mesh.vert[vertices[0]];
   const auto differs = [&](int i) {
     const auto& v = mesh.vert[i];
     return (vcg::tri::HasPerVertexColor(mesh) && v.cC() != first.cC()) ||
@@ -50,16 +56,17 @@ bool has_varying_attributes(const MeshType& mesh, const Snapshot& snapshot) {
            (vcg::tri::HasPerVertexRadius(mesh) && v.cR() != first.cR()) ||
            (vcg::tri::HasPerVertexTexCoord(mesh) && !(v.cT() == first.cT()));
   };
-  return std::any_of(snapshot.vertex_of.begin(), snapshot.vertex_of.end(), differs);
+  return std::any_of(vertices.begin(), vertices.end(), differs);
 }
 
-/// What is not carried in full.
+inline void note_seams(DecimationReport& report) {
+  report.notes.push_back(
+      "The texture has seams. Its coordinates are carried, but seams may shift a little.");
+}
+
+/// What is not carried in full, apart from seams.
 template <class MeshType>
-void note_attributes(const MeshType& mesh, const Snapshot& snapshot,
-                     const std::optional<WedgeTexture>& wedges, DecimationReport& report) {
-  if (wedges && has_seams(snapshot.mesh, *wedges))
-    report.notes.push_back(
-        "The texture has seams. Its coordinates are carried, but seams may shift a little.");
+void note_dropped_attributes(const MeshType& mesh, DecimationReport& report) {
   for (const auto& face : mesh.face)
     if (!face.IsD() && face.IsAnyF()) {
       report.notes.push_back(
@@ -69,6 +76,14 @@ void note_attributes(const MeshType& mesh, const Snapshot& snapshot,
   if (!mesh.vert_attr.empty())
     report.notes.push_back(
         "Custom vertex attributes stay with the vertices that remain; they are not interpolated.");
+}
+
+/// What is not carried in full.
+template <class MeshType>
+void note_attributes(const MeshType& mesh, const Snapshot& snapshot,
+                     const std::optional<WedgeTexture>& wedges, DecimationReport& report) {
+  if (wedges && has_seams(snapshot.mesh, *wedges)) note_seams(report);
+  note_dropped_attributes(mesh, report);
 }
 
 }  // namespace curvdecim

@@ -44,18 +44,20 @@ void lock_unselected(const MeshType& mesh, Snapshot& snapshot) {
   snapshot.unusable.erase(stay, snapshot.unusable.end());
 }
 
-/// Vertex quality, scaled to a largest value of 1, as a factor on the cost. Values at or below zero
-/// count as nearly nothing. Throws InputError where it is not finite.
+/// The quality of these vertices, scaled to a largest value of 1, as a factor on the cost. Values
+/// at or below zero count as nearly nothing; empty: no vertex has one above zero. Throws InputError
+/// where one is not finite.
 template <class MeshType>
-std::vector<double> importance_from_quality(const MeshType& mesh, const Snapshot& snapshot) {
+std::vector<double> importance_from_quality(const MeshType& mesh,
+                                            const std::vector<int>& vertices) {
   constexpr double least = 1e-6;  // of the largest: still ordered by error among themselves
   if (!vcg::tri::HasPerVertexQuality(mesh)) return {};
   std::vector<double> importance;
-  for (int v : snapshot.vertex_of) {
+  for (int v : vertices) {
     importance.push_back(static_cast<double>(mesh.vert[v].cQ()));
     if (!std::isfinite(importance.back()))
-      throw InputError("QualityWeight is on, but the quality of vertex " + std::to_string(v) +
-                       " is not finite.");
+      throw InputError("Vertex quality is used as a weight, but that of vertex " +
+                       std::to_string(v) + " is not finite.");
   }
   const double largest = *std::max_element(importance.begin(), importance.end());
   if (!(largest > 0.0)) return {};
@@ -128,7 +130,7 @@ std::optional<StopCriterion> set_up(const MeshType& mesh, const DecimationParams
     return std::nullopt;
   }
   if (params.quality_weight) {
-    snapshot.mesh.importance = importance_from_quality(mesh, snapshot);
+    snapshot.mesh.importance = importance_from_quality(mesh, snapshot.vertex_of);
     if (snapshot.mesh.importance.empty())
       report.notes.push_back(
           "QualityWeight is on, but no vertex has a quality above zero: it has no effect.");

@@ -102,7 +102,7 @@ class InputSamples {
     const std::size_t first = samples_.size();
     for (const Vector3& p : input_.position) samples_.push_back({p, 0.0, SurfacePoint::none});
     for (int f = 0; f < input_.face_count(); ++f)
-      for (int v : input_.face[f]) {
+      for (int v : input_.connectivity.face(f)) {
         Sample& sample = samples_[first + v];
         sample.weight += vertex_share * input_.weight[f] * input_.plane[f].area / 3.0;
         if (sample.face == SurfacePoint::none) sample.face = f;

@@ -16,14 +16,14 @@ namespace curvdecim {
 /// The input as it was before the collapses, in the box of diagonal 1.
 struct InputSurface {
   std::vector<Vector3> position;  // by vertex
-  std::vector<Face> face;
+  TriangleConnectivity connectivity;
   std::vector<FacePlane> plane;  // by face
   std::vector<double> weight;    // by face: how much its error counts, 1 in the mean
   std::vector<Edge> border;      // edges of one face
 
-  int face_count() const { return static_cast<int>(face.size()); }
+  int face_count() const { return connectivity.face_slots(); }
   Triangle triangle(int f) const {
-    const auto [a, b, c] = face[f];
+    const auto [a, b, c] = connectivity.face(f);
     return {position[a], position[b], position[c]};
   }
 };
@@ -48,7 +48,7 @@ inline std::vector<double> error_weights(const WorkingMesh& mesh, const EdgeColl
 inline void set_face_weights(const std::vector<double>& of_vertex, InputSurface& surface) {
   double sum = 0.0, area = 0.0;
   for (int f = 0; f < surface.face_count(); ++f) {
-    const auto [a, b, c] = surface.face[f];
+    const auto [a, b, c] = surface.connectivity.face(f);
     surface.weight.push_back((of_vertex[a] + of_vertex[b] + of_vertex[c]) / 3.0);
     sum += surface.weight[f] * surface.plane[f].area;
     area += surface.plane[f].area;
@@ -59,11 +59,10 @@ inline void set_face_weights(const std::vector<double>& of_vertex, InputSurface&
 /// mesh: before the collapses; diagonal: of the input in its own unit.
 inline InputSurface input_surface(const WorkingMesh& mesh, const EdgeCollapseParams& params,
                                   double diagonal, const Parallel& parallel) {
-  const TriangleConnectivity& connectivity = mesh.connectivity;
   InputSurface surface;
   surface.position = mesh.position;
   surface.plane = mesh.plane;
-  for (int f = 0; f < connectivity.face_slots(); ++f) surface.face.push_back(connectivity.face(f));
+  surface.connectivity = mesh.connectivity;
   set_face_weights(error_weights(mesh, params, diagonal, parallel), surface);
   surface.border = border_edges(mesh);
   return surface;

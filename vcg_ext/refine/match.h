@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "vcg_ext/geometry/triangle_tree.h"
+#include "vcg_ext/refine/surface_walk.h"
 
 namespace curvdecim {
 
@@ -22,10 +23,13 @@ struct Match {
 /// How far to look.
 struct MatchLimits {
   double facing2;    // squared: further away, a face is taken whichever way it faces
+  double walked2;    // squared: nearer, what a walk has found is the nearest
   double rounding2;  // squared: nearer is nothing
 
-  /// For a mesh of so many faces. Distances below 1e-7 of a face's size are rounding.
-  MatchLimits(double area, int faces) : facing2(area / faces), rounding2(1e-14 * facing2) {}
+  /// For a mesh of so many faces. A walk is trusted within a twentieth of a face's size: ten times
+  /// as far, errors grow. Distances below 1e-7 of it are rounding.
+  MatchLimits(double area, int faces)
+      : facing2(area / faces), walked2(0.003 * facing2), rounding2(1e-14 * facing2) {}
 
   void round(SurfacePoint& point) const {
     if (point.distance2 <= rounding2) point.distance2 = 0.0;
@@ -33,11 +37,16 @@ struct MatchLimits {
 };
 
 /// The nearest point on the same sheet, where that is near; of thin walls the other sheet may be
-/// nearer.
+/// nearer. A walk from the hint mostly finds it; where it ends further away than the hint's
+/// neighbourhood reaches, all faces are searched.
 template <class Surface>
 SurfacePoint nearest_on_sheet(const TriangleTree<Surface>& tree, const Vector3& p,
                               const Vector3& normal, int hint, const MatchLimits& limits) {
-  SurfacePoint found = tree.nearest_facing(p, normal, limits.facing2, hint);
+  const auto faces_along = [&](const Vector3& n) { return n.dot(normal) >= 0.0; };
+  SurfacePoint found;
+  if (hint != SurfacePoint::none) found = walk_to_nearest(tree.surface(), p, hint, faces_along);
+  if (!(found.distance2 < limits.walked2))
+    found = tree.nearest_facing(p, normal, limits.facing2, hint);
   if (!found.found()) found = tree.nearest(p, hint);
   limits.round(found);
   return found;

@@ -60,7 +60,7 @@ class Refinement {
     for (int sweep = 0; sweep < sweeps; ++sweep) {
       progress.set(static_cast<double>(sweep) / sweeps);
       match();
-      if (sweep > 0) EdgeFlips(mesh_, of_input_, of_mesh_, guard_, wedges_).run(near_, parallel_);
+      EdgeFlips(mesh_, of_input_, of_mesh_, guard_, wedges_).run(near_, parallel_);
       fit(fixed);
     }
   }
@@ -78,8 +78,8 @@ class Refinement {
     std::vector<BlendStep> steps;
     for (std::size_t v = 0; v < from.size(); ++v)
       if (from[v].found())
-        steps.push_back(
-            BlendStep::at(mesh_.vertex_origin[v], input_.face[from[v].face], from[v].weight));
+        steps.push_back(BlendStep::at(mesh_.vertex_origin[v],
+                                      input_.connectivity.face(from[v].face), from[v].weight));
     return steps;
   }
 
@@ -126,7 +126,7 @@ class Refinement {
 
   SurfacePoint on_input(int v) const {
     return nearest_on_sheet(input_tree_, mesh_.position[v], area_vector_around(mesh_, v),
-                            SurfacePoint::none, limits_);
+                            of_mesh_.of_vertex(v).input_face, limits_);
   }
 
   WorkingMesh& mesh_;

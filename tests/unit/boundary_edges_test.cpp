@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vcg_ext/clustering/boundary_edges.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "support/clustering.h"
+#include "support/drawn_meshes.h"
+#include "support/mesh_group.h"
+
+namespace curvdecim::test {
+namespace {
+
+/// Independent of the orientation: by counting all edges.
+int count_boundary(const Shape& shape) {
+  std::map<std::pair<int, int>, int> uses;
+  for (const Corners& f : shape.faces)
+    for (int i = 0; i < 3; ++i) ++uses[std::minmax(f[i], f[(i + 1) % 3])];
+  int count = 0;
+  for (const auto& [edge, faces] : uses) count += faces == 1;
+  return count;
+}
+
+class BoundaryEdgesOf : public testing::TestWithParam<NamedShape> {};
+
+TEST_P(BoundaryEdgesOf, AreThoseWithOneFace) {
+  const Shape& shape = GetParam().shape;
+  const std::vector<BoundaryEdge> edges = boundary_edges(flat_mesh(shape));
+  EXPECT_EQ(static_cast<int>(edges.size()), count_boundary(shape));
+  for (const BoundaryEdge& edge : edges) {
+    const Corners& face = shape.faces[edge.face];
+    EXPECT_TRUE(std::count(face.begin(), face.end(), edge.a) &&
+                std::count(face.begin(), face.end(), edge.b));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Drawn, BoundaryEdgesOf, testing::ValuesIn(all_meshes()), name_of);
+
+TEST(OpenVertices, OfAClosedMeshAreNone) {
+  const std::vector<bool> open = open_vertices(flat_mesh(torus(12, 8)));
+  EXPECT_EQ(std::count(open.begin(), open.end(), true), 0);
+}
+
+}  // namespace
+}  // namespace curvdecim::test

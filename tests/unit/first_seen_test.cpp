@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vcg_ext/clustering/first_seen.h"
+
+#include <gtest/gtest.h>
+
+namespace curvdecim {
+namespace {
+
+TEST(FirstSeen, NumbersInTheOrderOfAppearance) {
+  FirstSeen<std::uint64_t> seen;
+  EXPECT_EQ(seen.number(70), 0);
+  EXPECT_EQ(seen.number(5), 1);
+  EXPECT_EQ(seen.number(70), 0);
+  EXPECT_EQ(seen.number(6), 2);
+  EXPECT_EQ(seen.keys(), (std::vector<std::uint64_t>{70, 5, 6}));
+}
+
+TEST(FirstSeen, GrowsAndFindsAllAgain) {
+  FirstSeen<std::array<int, 3>> seen;
+  constexpr int count = 10000;
+  for (int i = 0; i < count; ++i) ASSERT_EQ(seen.number({i, 7, -i}), i);
+  for (int i = 0; i < count; ++i) ASSERT_EQ(seen.number({i, 7, -i}), i);
+  EXPECT_EQ(seen.size(), count);
+}
+
+TEST(FirstSeen, KeysThatDifferInTheHighestBitsOnlyDoNotCollide) {
+  FirstSeen<std::uint64_t> seen;
+  for (std::uint64_t i = 0; i < 4096; ++i) seen.number(i << 52);
+  EXPECT_EQ(seen.size(), 4096);
+}
+
+TEST(Pieces, CoverAllOnceAndInOrder) {
+  for (int threads : {1, 2, 3})
+    for (int count : {0, 1, 5, 1000, 5000}) {
+      const Parallel parallel(threads);
+      const int pieces = pieces_of(count, parallel);
+      std::vector<int> seen(count, 0), piece_of(count, 0);
+      for_pieces(count, pieces, parallel, [&](int piece, int begin, int end) {
+        for (int i = begin; i < end; ++i) ++seen[i], piece_of[i] = piece;
+      });
+      EXPECT_EQ(seen, std::vector<int>(count, 1));
+      EXPECT_TRUE(std::is_sorted(piece_of.begin(), piece_of.end()));
+    }
+}
+
+}  // namespace
+}  // namespace curvdecim

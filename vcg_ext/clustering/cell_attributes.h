@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "vcg_ext/clustering/cell_members.h"
+#include "vcg_ext/clustering/representatives.h"
+#include "vcg_ext/geometry/closest_point.h"
+#include "vcg_ext/mesh/attribute_blend.h"
+
+namespace curvdecim {
+
+/// A point of a face.
+struct FacePoint {
+  int face = -1;  // -1: there is none
+  Barycentric weight{};
+};
+
+/// The point of the faces nearest to x; of equals, that of the first face.
+inline FacePoint nearest_point(const FlatMesh& mesh, Groups::Range faces, const Vector3& x) {
+  FacePoint nearest;
+  double least = std::numeric_limits<double>::infinity();
+  for (int f : faces) {
+    const Triangle triangle = mesh.triangle(mesh.faces[f]);
+    const Barycentric weight = closest_point(triangle, x);
+    const double distance2 = (at(triangle, weight) - x).squaredNorm();
+    if (distance2 < least) least = distance2, nearest = {f, weight};
+  }
+  return nearest;
+}
+
+/// Of which vertices, and in which parts, a cell's vertex has its attributes.
+class CellBlend {
+ public:
+  /// Each cell from its own vertices; weight: by vertex; empty: 1.
+  static CellBlend of_members(const Clusters& clusters, const std::vector<double>& weight) {
+    const Groups members = vertices_by_cell(clusters);
+    CellBlend blend;
+    for (int c = 0; c < clusters.cells(); ++c) {
+      for (int v : members[c]) blend.parts_.push_back({v, weight.empty() ? 1.0 : weight[v]});
+      blend.end_cell();
+    }
+    return blend;
+  }
+
+  /// Each cell from one vertex.
+  static CellBlend of_vertices(const std::vector<int>& vertices) {
+    CellBlend blend;
+    for (int v : vertices) {
+      blend.parts_.push_back({v, 1.0});
+      blend.end_cell();
+    }
+    return blend;
+  }
+
+  /// Each cell from the point of its faces nearest to its new vertex, so that what is affine in
+  /// position stays so.
+  static CellBlend of_surface(const FlatMesh& mesh, const Clusters& clusters,
+                              const Representatives& representatives, const Parallel& parallel) {
+    const Groups faces = faces_by_cell(mesh, clusters);
+    std::vector<FacePoint> nearest(clusters.cells());
+    parallel.for_each(
+        clusters.cells(),
+        [&](int c) { nearest[c] = nearest_point(mesh, faces[c], representatives.position[c]); },
+        Parallel::heavy);
+    CellBlend blend;
+    for (const FacePoint& point : nearest) {
+      for (int i = 0; i < 3; ++i)
+        if (point.weight[i] != 0.0)
+          blend.parts_.push_back({mesh.faces[point.face][i], point.weight[i]});
+      blend.end_cell();
+    }
+    return blend;
+  }
+
+  /// value(v): of a vertex; otherwise: where no part counts. A value that is not finite does not
+  /// spread: the other parts stand in for it.
+  template <class Value, class ValueOf>
+  Value at(int cell, ValueOf value, const Value& otherwise) const {
+    Value sum = otherwise;
+    double weights = 0.0;
+    for (int i = begin_[cell]; i < begin_[cell + 1]; ++i) {
+      const Value part = value(parts_[i].vertex);
+      if (!is_finite(part)) continue;
+      sum = weights == 0.0 ? Value(parts_[i].weight * part) : Value(sum + parts_[i].weight * part);
+      weights += parts_[i].weight;
+    }
+    return weights == 0.0 || weights == 1.0 ? sum : Value(sum / weights);
+  }
+
+ private:
+  struct Part {
+    int vertex;
+    double weight;
+  };
+
+  void end_cell() { begin_.push_back(static_cast<int>(parts_.size())); }
+
+  std::vector<int> begin_ = {0};  // by cell, and the end of the last
+  std::vector<Part> parts_;
+};
+
+}  // namespace curvdecim

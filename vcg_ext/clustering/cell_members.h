@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "vcg_ext/clustering/clusters.h"
+
+namespace curvdecim {
+
+/// Numbers in groups, ascending in each.
+class Groups {
+ public:
+  struct Range {
+    const int* first;
+    const int* last;
+    const int* begin() const { return first; }
+    const int* end() const { return last; }
+    int size() const { return static_cast<int>(last - first); }
+  };
+
+  /// groups_of(i, take) calls take(group) for each group of i, below count.
+  template <class GroupsOf>
+  Groups(int groups, int count, GroupsOf groups_of) : begin_(groups + 1, 0) {
+    for (int i = 0; i < count; ++i) groups_of(i, [&](int group) { ++begin_[group + 1]; });
+    for (int group = 0; group < groups; ++group) begin_[group + 1] += begin_[group];
+    items_.resize(begin_.back());
+    std::vector<int> end(begin_.begin(), begin_.end() - 1);
+    for (int i = 0; i < count; ++i) groups_of(i, [&](int group) { items_[end[group]++] = i; });
+  }
+
+  Range operator[](int group) const {
+    return {items_.data() + begin_[group], items_.data() + begin_[group + 1]};
+  }
+
+ private:
+  std::vector<int> begin_;  // by group, and the end of the last
+  std::vector<int> items_;
+};
+
+inline Groups vertices_by_cell(const Clusters& clusters) {
+  return Groups(clusters.cells(), static_cast<int>(clusters.cell_of.size()), [&](int v, auto take) {
+    if (clusters.cell_of[v] != Clusters::none) take(clusters.cell_of[v]);
+  });
+}
+
+/// The faces with a corner in a cell.
+inline Groups faces_by_cell(const FlatMesh& mesh, const Clusters& clusters) {
+  return Groups(clusters.cells(), static_cast<int>(mesh.faces.size()), [&](int f, auto take) {
+    if (mesh.faces[f] == FlatMesh::no_face) return;
+    const auto [a, b, c] = clusters.cells_of(mesh.faces[f]);
+    take(a);
+    if (b != a) take(b);
+    if (c != a && c != b) take(c);
+  });
+}
+
+}  // namespace curvdecim

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "vcg_ext/parallel.h"
+
+namespace curvdecim {
+
+/// Spreads every bit over the word: the finalizer of splitmix64 @cite steele2014.
+inline std::uint64_t mixed(std::uint64_t x) {
+  x = (x ^ x >> 30) * 0xbf58476d1ce4e5b9;
+  x = (x ^ x >> 27) * 0x94d049bb133111eb;
+  return x ^ x >> 31;
+}
+
+inline std::uint64_t hash_of(std::uint64_t key) { return mixed(key); }
+inline std::uint64_t hash_of(const std::array<int, 2>& key) {
+  return mixed(std::uint64_t(std::uint32_t(key[0])) << 32 | std::uint32_t(key[1]));
+}
+inline std::uint64_t hash_of(const std::array<int, 3>& key) {
+  return mixed(hash_of(std::array<int, 2>{key[0], key[1]}) + std::uint32_t(key[2]));
+}
+inline std::uint64_t hash_of(const std::array<std::uint64_t, 3>& key) {
+  return mixed(mixed(mixed(key[0]) + key[1]) + key[2]);
+}
+
+/// Numbers keys 0, 1, 2, ... in the order in which they come for the first time. Memory follows the
+/// number of different keys.
+template <class Key>
+class FirstSeen {
+ public:
+  FirstSeen() : slots_(least_slots, empty) {}
+
+  /// The key's number; a new one gets the next.
+  int number(const Key& key) {
+    std::size_t slot = find(key);
+    if (slots_[slot] != empty) return slots_[slot];
+    if (2 * keys_.size() >= slots_.size()) {
+      grow();
+      slot = find(key);
+    }
+    keys_.push_back(key);
+    return slots_[slot] = size() - 1;
+  }
+
+  int size() const { return static_cast<int>(keys_.size()); }
+  const std::vector<Key>& keys() const { return keys_; }
+
+ private:
+  static constexpr int empty = -1;
+  static constexpr std::size_t least_slots = 64;  // a power of two
+
+  /// The key's slot, or the one where it would go.
+  std::size_t find(const Key& key) const {
+    std::size_t slot = hash_of(key) & (slots_.size() - 1);
+    while (slots_[slot] != empty && keys_[slots_[slot]] != key)
+      slot = (slot + 1) & (slots_.size() - 1);
+    return slot;
+  }
+
+  void grow() {
+    slots_.assign(4 * slots_.size(), empty);
+    for (int i = 0; i < size(); ++i) slots_[find(keys_[i])] = i;
+  }
+
+  std::vector<int> slots_;  // numbers; at most half of them in use
+  std::vector<Key> keys_;   // by number
+};
+
+/// Where work in the order of the elements can be cut, so that each thread has one piece.
+inline int pieces_of(int count, const Parallel& parallel) {
+  return count < 2 * Parallel::light.least ? 1 : parallel.threads();
+}
+
+/// work(piece, begin, end) for consecutive pieces of 0..count.
+template <class Work>
+void for_pieces(int count, int pieces, const Parallel& parallel, Work work) {
+  const auto bound = [&](int piece) {
+    return static_cast<int>(static_cast<std::int64_t>(count) * piece / pieces);
+  };
+  parallel.for_each(
+      pieces, [&](int piece) { work(piece, bound(piece), bound(piece + 1)); }, Grain{1, pieces});
+}
+
+}  // namespace curvdecim
