@@ -29,8 +29,7 @@ Binding bind(FilterId filter, MeshDefault mesh_default = MeshDefault::None) {
           [](const Settings& settings) -> Value {
             return static_cast<Alternative>(settings.*params.*member);
           },
-          mesh_default,
-          std::nullopt};
+          mesh_default, std::nullopt};
 }
 
 template <auto member>
@@ -335,8 +334,8 @@ std::vector<Parameter> guard_rows() {
 const std::vector<Parameter>& parameter_table() {
   static const std::vector<Parameter> table = [] {
     std::vector<Parameter> rows;
-    for (const auto& group :
-         {target_rows(), clustering_rows(), metric_rows(), curvature_rows(), custom_rows(), guard_rows()})
+    for (const auto& group : {target_rows(), clustering_rows(), metric_rows(), curvature_rows(),
+                              custom_rows(), guard_rows()})
       rows.insert(rows.end(), group.begin(), group.end());
     return rows;
   }();
