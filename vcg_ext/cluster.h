@@ -45,9 +45,7 @@ std::vector<double> quality_weights(const MeshType& mesh, const FlatMesh& flat, 
                                     DecimationReport& report) {
   const std::vector<int> vertices = vertices_in_use(flat);
   const std::vector<double> values = importance_from_quality(mesh, vertices);
-  if (values.empty())
-    report.notes.push_back(std::string(use) +
-                           " is on, but no vertex has a quality above zero: it has no effect.");
+  if (values.empty()) note_no_quality(use, report);
   return scattered(vertices, values, mesh.vert.size());
 }
 
@@ -101,9 +99,8 @@ CellBlend cell_blend(const MeshType& mesh, const FlatMesh& flat, const Clusterin
 
 /// Faces to keep of those that may change; 0: the size of the cells rules.
 inline int clustering_target(const ClusteringParams& params, int candidates) {
-  if (params.target_fraction > 0.0)
-    return std::max(1, static_cast<int>(params.target_fraction * candidates));
-  return params.target_faces;
+  return params.target_fraction > 0.0 ? faces_of_fraction(params.target_fraction, candidates)
+                                      : params.target_faces;
 }
 
 /// In the unit box. Throws InputError where the grid would have too many cells.
@@ -154,11 +151,7 @@ void run_vertex_clustering(MeshType& mesh, const ClusteringParams& params, Progr
   const Parallel parallel(params.threads, [&] { progress.ask(); });
   const FlatMesh flat = read_flat(mesh, params.selected_only, parallel);
   const int target = clustering_target(params, flat.face_count);
-  if (target >= flat.face_count) {
-    report.notes.push_back(
-        "The target is not below the current count: nothing to do, the mesh is unchanged.");
-    return;
-  }
+  if (target >= flat.face_count) return note_small_enough(report);
   const ClusteringWeights weights = clustering_weights(mesh, flat, params, parallel, report);
   const double diameter = target > 0 ? 0.0 : cell_diameter(params, flat);
   const std::optional<Clustering> clustering =

@@ -48,7 +48,7 @@ void run_edge_collapse(MeshType& mesh, EdgeCollapseParams params, ProgressMeter&
                        DecimationReport& report) {
   const Parallel parallel(params.threads, [&] { progress.ask(); });
   Snapshot snapshot = take_snapshot(mesh, parallel);
-  params.max_error /= snapshot.diagonal;
+  params.max_error /= snapshot.box.diagonal;
   const std::optional<StopCriterion> stop = set_up(mesh, params, snapshot, report);
   if (!stop) return;
   BlendRecord blend(has_varying_attributes(mesh, snapshot.vertex_of),
@@ -56,8 +56,9 @@ void run_edge_collapse(MeshType& mesh, EdgeCollapseParams params, ProgressMeter&
   std::optional<WedgeTexture> wedges = read_wedges(mesh, snapshot);
   note_attributes(mesh, snapshot, wedges, report);
   std::optional<InputSurface> input;
-  if (may_refine(params)) input = input_surface(snapshot.mesh, params, snapshot.diagonal, parallel);
-  with_metric(snapshot.mesh, params, snapshot.diagonal, [&](auto metric) {
+  if (may_refine(params))
+    input = input_surface(snapshot.mesh, params, snapshot.box.diagonal, parallel);
+  with_metric(snapshot.mesh, params, snapshot.box.diagonal, [&](auto metric) {
     EdgeCollapse operation(snapshot.mesh, metric, params, params.scheduler, *stop);
     operation.add_observer(blend);
     if (wedges) operation.add_observer(*wedges);
@@ -65,7 +66,7 @@ void run_edge_collapse(MeshType& mesh, EdgeCollapseParams params, ProgressMeter&
   });
   std::vector<BlendStep> refined;
   if (input) refined = refine(snapshot.mesh, *input, params, wedges, parallel, progress);
-  report.max_error *= snapshot.diagonal;
+  report.max_error *= snapshot.box.diagonal;
   WriteBack<MeshType>(mesh, snapshot).run(blend, refined, wedges);
 }
 
@@ -106,8 +107,8 @@ void curvature_importance(MeshType& mesh, const ImportanceParams& params) {
   CurvatureParams shown = params;
   if (!params.as_factor) shown.alpha_units = AlphaUnits::ModelUnits;  // the curvature as such
   const CurvatureField field = curvature_field(snapshot.mesh, shown, parallel);
-  const CurvatureWeight weight = curvature_weight(shown, field, snapshot.diagonal);
-  const double length = snapshot.diagonal;
+  const CurvatureWeight weight = curvature_weight(shown, field, snapshot.box.diagonal);
+  const double length = snapshot.box.diagonal;
   const double unit =
       params.curvature_kind == CurvatureKind::Gaussian ? 1.0 / (length * length) : 1.0 / length;
   for (std::size_t v = 0; v < field.value.size(); ++v) {

@@ -113,17 +113,16 @@ def test_dialog_fits_a_full_hd_screen(session, name):
     assert session.display.geometry(dialog)["HEIGHT"] <= FULL_HD_HEIGHT
 
 
-def test_clustering_dialog(session, artifacts):
-    dialog = session.open_filter(CLUSTERING)
+@pytest.mark.parametrize(
+    ("name", "picture", "result"),
+    [
+        (CLUSTERING, "gui_clustering", "cell_size: "),
+        (IMPORTANCE, "gui_importance", "median: "),
+    ],
+)
+def test_dialog_of_another_filter(session, artifacts, name, picture, result):
+    dialog = session.open_filter(name)
     time.sleep(REDRAW_SECONDS)
-    session.display.picture(artifacts / "gui_clustering.png")
-    session.apply(CLUSTERING, dialog, artifacts / "gui_clustering_applied.png")
-    assert session.logged("cell_size: ")
-
-
-def test_importance_dialog(session, artifacts):
-    dialog = session.open_filter(IMPORTANCE)
-    time.sleep(REDRAW_SECONDS)
-    session.display.picture(artifacts / "gui_importance.png")
-    session.apply(IMPORTANCE, dialog, artifacts / "gui_importance_applied.png")
-    assert session.logged("median: ")
+    session.display.picture(artifacts / f"{picture}.png")
+    session.apply(name, dialog, artifacts / f"{picture}_applied.png")
+    assert session.logged(result)

@@ -1,41 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Vertex clustering: cancel, selection, attributes, bad input. What must be as it was, is.
+// Vertex clustering: cancel, selection, attributes. What must be as it was, is.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
-#include <ostream>
 #include <set>
 #include <string>
-#include <utility>
-#include <vector>
 
 #include "support/clustering.h"
 #include "support/drawn_meshes.h"
-#include "support/fingerprint.h"
+#include "support/expectations.h"
 #include "support/properties.h"
-#include "support/rich_mesh.h"
 
 namespace curvdecim::test {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-Shape unit_ball(int subdivisions) {
-  return translated(scaled(icosphere(subdivisions), 0.5), {0.5, 0.5, 0.5});
-}
-
-bool is_left(const vcg::Point3d& p) { return p[0] < 0.5; }
-
-std::multiset<std::string> unselected_faces(const RichMesh& mesh) {
-  std::multiset<std::string> faces;
-  for (const RichFace& f : mesh.face)
-    if (!f.IsD() && !f.IsS()) faces.insert(bytes_of(f));
-  return faces;
-}
 
 // --- cancel --------------------------------------------------------------------------------------
 
@@ -136,78 +117,36 @@ class ClusteringAttributes : public testing::TestWithParam<NamedRepresentative> 
 };
 
 TEST_P(ClusteringAttributes, AffineInPositionAreExact) {
-  constexpr double percent = 0.01;
   cluster(mesh_, params_);
-  for (const RichVertex& v : mesh_.vert) {
-    EXPECT_NEAR(v.cQ(), affine(v.cP()), percent);
-    EXPECT_NEAR(v.cR(), affine(v.cP()), percent);
-    EXPECT_NEAR(v.cT().u(), v.cP()[0], 1.0 / 1024);
-    EXPECT_NEAR(v.cT().v(), v.cP()[1], 1.0 / 1024);
-    for (int k = 0; k < 4; ++k) EXPECT_NEAR(v.cC()[k], affine_color(v.cP())[k], 255 * percent);
-  }
+  expect_affine_attributes(mesh_);
 }
 
 TEST_P(ClusteringAttributes, WedgeCoordinatesFollowThePlane) {
   cluster(mesh_, params_);
-  for (const RichFace& f : mesh_.face)
-    for (int i = 0; i < 3; ++i) {
-      EXPECT_NEAR(f.cWT(i).u(), f.cP(i)[0], 1.0 / 1024);
-      EXPECT_NEAR(f.cWT(i).v(), f.cP(i)[1], 1.0 / 1024);
-    }
+  expect_affine_wedges(mesh_);
 }
 
-/// The right half lies in a chart of its own, on a page of its own.
 TEST_P(ClusteringAttributes, WedgeCoordinatesOfTwoChartsDoNotMix) {
-  for (RichFace& f : mesh_.face) {
-    const bool right = (f.cP(0)[0] + f.cP(1)[0] + f.cP(2)[0]) / 3.0 > 0.5;
-    for (int i = 0; i < 3 && right; ++i) f.WT(i).u() += 10.0, f.WT(i).n() = 1;
-  }
+  put_right_half_on_a_page(mesh_);
   const ClusteringReport report = cluster(mesh_, params_);
-  int right = 0;
-  for (const RichFace& f : mesh_.face) {
-    right += f.cWT(0).n() == 1;
-    for (int i = 0; i < 3; ++i) {
-      const double u = f.cWT(i).u() - (f.cWT(0).n() == 1 ? 10.0 : 0.0);
-      EXPECT_EQ(f.cWT(i).n(), f.cWT(0).n());
-      EXPECT_GE(u, f.cWT(0).n() == 1 ? 0.5 : 0.0);
-      EXPECT_LE(u, f.cWT(0).n() == 1 ? 1.0 : 0.5);
-    }
-  }
-  EXPECT_GT(right, 10);
-  EXPECT_LT(right, mesh_.fn - 10);
-  ASSERT_FALSE(report.notes.empty());
-  EXPECT_NE(report.notes[0].find("seams"), std::string::npos) << report.notes[0];
+  expect_two_charts(mesh_, report);
 }
 
 TEST_P(ClusteringAttributes, WedgeCoordinatesOfOneChartDoNotTear) {
   cluster(mesh_, params_);
-  std::map<const RichVertex*, std::pair<double, double>> seen;
-  for (const RichFace& f : mesh_.face)
-    for (int i = 0; i < 3; ++i) {
-      const std::pair<double, double> uv(f.cWT(i).u(), f.cWT(i).v());
-      EXPECT_EQ(seen.try_emplace(f.cV(i), uv).first->second, uv);
-    }
+  expect_no_tear(mesh_);
 }
 
 TEST_P(ClusteringAttributes, OfAFaceAreThoseOfAFaceOfTheInput) {
   cluster(mesh_, params_);
-  std::set<double> seen;
-  for (const RichFace& f : mesh_.face) {
-    const int was = static_cast<int>(f.cQ());
-    EXPECT_EQ(f.cC(), vcg::Color4b(static_cast<unsigned char>(was % 256),
-                                   static_cast<unsigned char>(was / 256), 1, 255));
-    EXPECT_TRUE(seen.insert(f.cQ()).second);
-  }
+  expect_faces_of_the_input(mesh_);
 }
 
 TEST_P(ClusteringAttributes, NormalsFitTheFacesAfterwards) {
   RichMesh mesh;
   fill_with_attributes(mesh, unit_ball(4));
   cluster(mesh, GetParam().of(with_cells(0.2)));
-  for (const RichFace& f : mesh.face) {
-    const vcg::Point3d normal = ((f.cP(1) - f.cP(0)) ^ (f.cP(2) - f.cP(0))).Normalize();
-    ASSERT_LT((f.cN() - normal).Norm(), 1e-9);
-  }
+  expect_face_normals_that_fit(mesh);
   for (const RichVertex& v : mesh.vert) ASSERT_NEAR(v.cN().Norm(), 1.0, 1e-12);
 }
 
@@ -259,173 +198,17 @@ TEST(ClusteringElements, DeletedOnesDoNotCount) {
 TEST(ClusteringElements, AdjacencyOfTheHostDoesNotDangle) {
   RichMesh mesh;
   fill_with_attributes(mesh, unit_ball(2));
-  vcg::tri::UpdateTopology<RichMesh>::VertexFace(mesh);
-  vcg::tri::UpdateTopology<RichMesh>::FaceFace(mesh);
+  build_adjacency(mesh);
   cluster(mesh, with_cells(0.3));
-  for (const RichVertex& v : mesh.vert) EXPECT_TRUE(v.cVFp() == nullptr);
-  for (const RichFace& f : mesh.face)
-    for (int i = 0; i < 3; ++i) EXPECT_TRUE(f.cFFp(i) == nullptr);
+  expect_no_adjacency(mesh);
 }
 
 TEST(ClusteringElements, TheBoundingBoxFitsAfterwards) {
   RichMesh mesh;
   fill_with_attributes(mesh, unit_ball(3));
   cluster(mesh, with_cells(0.3));
-  vcg::Box3d box;
-  for (const RichVertex& v : mesh.vert) box.Add(v.cP());
-  EXPECT_EQ(mesh.bbox.min, box.min);
-  EXPECT_EQ(mesh.bbox.max, box.max);
+  expect_box_that_fits(mesh);
 }
-
-// --- bad input -----------------------------------------------------------------------------------
-
-void expect_refused(RichMesh& mesh, const ClusteringParams& params,
-                    const std::vector<std::string>& words) {
-  const std::string before = bytes_of(mesh);
-  try {
-    cluster(mesh, params);
-    ADD_FAILURE() << "was accepted";
-  } catch (const InputError& error) {
-    const std::string message = error.what();
-    for (const std::string& word : words)
-      EXPECT_NE(message.find(word), std::string::npos) << message;
-    EXPECT_EQ(message.back(), '.') << message;
-  }
-  EXPECT_TRUE(bytes_of(mesh) == before);
-}
-
-TEST(ClusteringBadMesh, EmptyIsRefused) {
-  RichMesh mesh;
-  expect_refused(mesh, with_cells(0.1), {"empty"});
-}
-
-TEST(ClusteringBadMesh, PointsWithoutFacesAreRefused) {
-  RichMesh mesh;
-  fill(mesh, {icosphere(0).vertices, {}});
-  expect_refused(mesh, with_cells(0.1), {"12 points", "no faces"});
-}
-
-TEST(ClusteringBadMesh, AllFacesDeletedIsRefused) {
-  RichMesh mesh;
-  fill_with_attributes(mesh, octahedron());
-  for (RichFace& f : mesh.face) vcg::tri::Allocator<RichMesh>::DeleteFace(mesh, f);
-  expect_refused(mesh, with_cells(0.1), {"no faces"});
-}
-
-TEST(ClusteringBadMesh, NothingSelectedIsRefused) {
-  RichMesh mesh;
-  fill_with_attributes(mesh, octahedron());
-  ClusteringParams params = with_cells(0.1);
-  params.selected_only = true;
-  expect_refused(mesh, params, {"no face is selected"});
-}
-
-TEST(ClusteringBadMesh, TheFirstCoordinateThatIsNotFiniteIsNamed) {
-  for (double bad : {nan, infinity, -infinity}) {
-    RichMesh mesh;
-    fill_with_attributes(mesh, icosphere(1));
-    mesh.vert[17].P()[1] = bad;
-    expect_refused(mesh, with_cells(0.1), {"Vertex 17", "finite"});
-  }
-}
-
-TEST(ClusteringBadMesh, AnIsolatedVertexThatIsNotFiniteDoesNotMatter) {
-  RichMesh mesh;
-  fill(mesh, icosphere(2));
-  vcg::tri::Allocator<RichMesh>::AddVertex(mesh, {nan, infinity, 0.0});
-  cluster(mesh, with_cells(0.5));
-  EXPECT_EQ(shape_of(mesh), clustered(icosphere(2), with_cells(0.5)).shape);
-}
-
-TEST(ClusteringBadMesh, AFaceOfADeletedVertexIsNamed) {
-  RichMesh mesh;
-  fill_with_attributes(mesh, octahedron());
-  mesh.vert[4].SetD();
-  expect_refused(mesh, with_cells(0.1), {"Face 0", "does not exist"});
-}
-
-TEST(ClusteringBadMesh, OnlyFacesThatUseAVertexTwiceAreRefused) {
-  RichMesh mesh;
-  fill(mesh, {{{0, 0, 0}, {1, 0, 0}}, {{0, 1, 1}, {0, 0, 1}}});
-  expect_refused(mesh, with_cells(0.1), {"No face would be left"});
-}
-
-TEST(ClusteringBadMesh, AllInOnePointIsRefused) {
-  RichMesh mesh;
-  fill(mesh, scaled(octahedron(), 0.0));
-  expect_refused(mesh, with_cells(0.1), {"one point"});
-}
-
-TEST(ClusteringBadMesh, CoordinatesTooLargeToSubtractAreRefused) {
-  RichMesh mesh;
-  fill(mesh, scaled(octahedron(), 1.7e308));
-  expect_refused(mesh, with_cells(0.1), {"too large"});
-}
-
-TEST(ClusteringBadMesh, ThatWouldVanishIsRefused) {
-  RichMesh mesh;
-  fill_with_attributes(mesh, icosphere(1));
-  expect_refused(mesh, with_cells(100.0), {"No face would be left", "CellSize"});
-}
-
-TEST(ClusteringBadMesh, AQualityThatIsNotFiniteIsNamed) {
-  RichMesh mesh;
-  fill_with_attributes(mesh, icosphere(1));
-  mesh.vert[5].Q() = nan;
-  ClusteringParams params = with_cells(0.1);
-  params.quality_weight = true;
-  expect_refused(mesh, params, {"vertex 5", "quality"});
-  params = with_cells(0.1);
-  params.representative = Representative::WeightedMean;
-  params.mean_weight = MeanWeight::Quality;
-  expect_refused(mesh, params, {"vertex 5", "quality"});
-}
-
-TEST(ClusteringBadMesh, FacesThatUseAVertexTwiceAndDuplicatesAreRemoved) {
-  Shape shape = icosphere(1);
-  shape.faces.push_back(shape.faces[3]);
-  shape.faces.push_back({5, 5, 6});
-  const auto [after, report] = clustered(shape, with_cells(1e-3));
-  EXPECT_EQ(after, icosphere(1));
-  EXPECT_EQ(report.duplicate, 1);
-  EXPECT_EQ(report.degenerate, 1);
-}
-
-struct BadClusteringParameter {
-  const char* name;
-  const char* word;  // in the message
-  void (*set)(ClusteringParams&);
-};
-
-void PrintTo(const BadClusteringParameter& parameter, std::ostream* out) { *out << parameter.name; }
-
-class BadClusteringParameters : public testing::TestWithParam<BadClusteringParameter> {};
-
-TEST_P(BadClusteringParameters, AreRefusedByName) {
-  RichMesh mesh;
-  fill_with_attributes(mesh, icosphere(1));
-  ClusteringParams params = with_cells(0.1);
-  GetParam().set(params);
-  expect_refused(mesh, params, {GetParam().word});
-}
-
-using P = ClusteringParams;
-using B = BadClusteringParameter;
-
-INSTANTIATE_TEST_SUITE_P(
-    Each, BadClusteringParameters,
-    testing::Values(B{"NegativeSize", "CellSize", [](P& p) { p.cell_size = -0.1; }},
-                    B{"SizeNan", "CellSize", [](P& p) { p.cell_size = nan; }},
-                    B{"SizeInfinite", "CellSize", [](P& p) { p.cell_size = infinity; }},
-                    B{"SizeTooSmall", "CellSize", [](P& p) { p.cell_size = 1e-9; }},
-                    B{"NoTarget", "No target", [](P& p) { p.cell_size = 0.0; }},
-                    B{"NegativeFaces", "TargetFaceNum", [](P& p) { p.target_faces = -1; }},
-                    B{"FractionAboveOne", "TargetPerc", [](P& p) { p.target_fraction = 1.01; }},
-                    B{"FractionNan", "TargetPerc", [](P& p) { p.target_fraction = nan; }},
-                    B{"WeightNan", "BoundaryWeight", [](P& p) { p.boundary_weight = nan; }},
-                    B{"WeightNegative", "BoundaryWeight", [](P& p) { p.boundary_weight = -1.0; }},
-                    B{"NegativeThreads", "Threads", [](P& p) { p.threads = -1; }}),
-    [](const testing::TestParamInfo<B>& each) { return std::string(each.param.name); });
 
 }  // namespace
 }  // namespace curvdecim::test

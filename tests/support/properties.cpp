@@ -284,6 +284,11 @@ int flipped_faces(const Shape& original, const Shape& simplified) {
   return flipped;
 }
 
+bool has_vertex(const Shape& shape, const Point& p, double tolerance) {
+  return std::any_of(shape.vertices.begin(), shape.vertices.end(),
+                     [&](const Point& q) { return (p - q).norm() <= tolerance; });
+}
+
 double distance_to(const Shape& surface, const Point& p) {
   return Surface(surface).nearest(p).distance;
 }

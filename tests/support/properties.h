@@ -39,6 +39,9 @@ double volume(const Shape& shape);  ///< of a closed shape
 /// behind it.
 int flipped_faces(const Shape& original, const Shape& simplified);
 
+/// Whether a vertex is no further than this from the point.
+bool has_vertex(const Shape& shape, const Point& p, double tolerance);
+
 /// From a point to the surface.
 double distance_to(const Shape& surface, const Point& p);
 

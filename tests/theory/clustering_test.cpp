@@ -15,11 +15,6 @@ namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-bool has_vertex(const Shape& shape, const Point& p, double tolerance) {
-  return std::any_of(shape.vertices.begin(), shape.vertices.end(),
-                     [&](const Point& q) { return (p - q).norm() <= tolerance; });
-}
-
 TEST(ClusteredPlane, StaysInItsPlane) {
   for (double angle : {0.0, 0.8, 2.0}) {
     const Shape square = rotated(plane_grid(24), angle, {1, 2, 3});

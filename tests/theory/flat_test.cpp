@@ -16,11 +16,6 @@ namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-bool has_vertex(const Shape& shape, const Point& p, double tolerance) {
-  return std::any_of(shape.vertices.begin(), shape.vertices.end(),
-                     [&](const Point& q) { return (p - q).norm() <= tolerance; });
-}
-
 struct Pose {  // of a mesh in space
   const char* name;
   double angle;

@@ -43,12 +43,12 @@ Triangle of_height(double height) {
   return {Vector3(0, 0, 0), Vector3(1, 0, 0), Vector3(0.5, height, 0)};
 }
 
-bool spoiled(double height_before, double height_after, double least) {
-  return spoils_shape(of_height(height_before), 0.5 * height_before, of_height(height_after),
-                      0.5 * height_after, least);
-}
-
 double quality_of_height(double height) { return shape_quality(of_height(height), 0.5 * height); }
+
+bool spoiled(double height_before, double height_after, double least) {
+  return spoils_shape(of_height(height_after), 0.5 * height_after, least,
+                      [&] { return quality_of_height(height_before); });
+}
 
 TEST(TriangleShape, IsSpoiledWhenItGetsWorseThanTheLimit) {
   const double limit = quality_of_height(0.01);

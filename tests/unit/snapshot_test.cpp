@@ -31,16 +31,17 @@ TEST(Snapshot, LiesInACentredBoxOfDiagonalOne) {
   Point sum = Point::Zero();
   for (const Point& p : inside.vertices) sum += p;
   EXPECT_LT(sum.norm(), 1e-12);
-  EXPECT_NEAR(snapshot.diagonal, 40.0 * std::sqrt(14.0), 1e-12);
+  EXPECT_NEAR(snapshot.box.diagonal, 40.0 * std::sqrt(14.0), 1e-12);
 }
 
 TEST(Snapshot, KnowsTheWayBack) {
   const Shape shape = icosphere(1);
   const Snapshot snapshot = snapshot_of(shape);
   for (int v = 0; v < shape.vertex_count(); ++v)
-    EXPECT_LT((snapshot.to_user(snapshot.mesh.position[v]) - shape.vertices[snapshot.vertex_of[v]])
-                  .norm(),
-              1e-15);
+    EXPECT_LT(
+        (snapshot.box.to_user(snapshot.mesh.position[v]) - shape.vertices[snapshot.vertex_of[v]])
+            .norm(),
+        1e-15);
 }
 
 TEST(Snapshot, RefersToTheSameFacesInTheSameOrientation) {
@@ -62,7 +63,7 @@ TEST(Snapshot, NumbersNeighboursInSpaceAlike) {
     return sum / static_cast<double>(positions.size());
   };
   constexpr double cell = 1.0 / 32;
-  EXPECT_LT(steps(snapshot.mesh.position) * snapshot.diagonal, 2.0 * cell);
+  EXPECT_LT(steps(snapshot.mesh.position) * snapshot.box.diagonal, 2.0 * cell);
 }
 
 TEST(Snapshot, OfATwinKeepsTheFirstFace) {

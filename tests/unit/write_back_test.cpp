@@ -29,7 +29,7 @@ class WriteBackOf : public testing::Test {
   /// Collapses an edge of the mesh (numbered as in it) into `keep`, which goes to `x`.
   void collapse(int keep, int gone, const Point& x) {
     WorkingMesh& mesh = snapshot_.mesh;
-    mesh.position[working(keep)] = snapshot_.to_box(x);
+    mesh.position[working(keep)] = snapshot_.box.to_box(x);
     mesh.connectivity.collapse(working(keep), working(gone));
     for (int f : mesh.connectivity.faces_of(working(keep))) mesh.update_plane(f);
   }

@@ -18,7 +18,7 @@ struct FacePoint {
 };
 
 /// The point of the faces nearest to x; of equals, that of the first face.
-inline FacePoint nearest_point(const FlatMesh& mesh, Groups::Range faces, const Vector3& x) {
+inline FacePoint nearest_point(const FlatMesh& mesh, IndexRange faces, const Vector3& x) {
   FacePoint nearest;
   double least = std::numeric_limits<double>::infinity();
   for (int f : faces) {
@@ -74,19 +74,13 @@ class CellBlend {
     return blend;
   }
 
-  /// value(v): of a vertex; otherwise: where no part counts. A value that is not finite does not
-  /// spread: the other parts stand in for it.
+  /// value(v): of a vertex; otherwise: where no part counts.
   template <class Value, class ValueOf>
   Value at(int cell, ValueOf value, const Value& otherwise) const {
-    Value sum = otherwise;
-    double weights = 0.0;
-    for (int i = begin_[cell]; i < begin_[cell + 1]; ++i) {
-      const Value part = value(parts_[i].vertex);
-      if (!is_finite(part)) continue;
-      sum = weights == 0.0 ? Value(parts_[i].weight * part) : Value(sum + parts_[i].weight * part);
-      weights += parts_[i].weight;
-    }
-    return weights == 0.0 || weights == 1.0 ? sum : Value(sum / weights);
+    Blend<Value> blend(otherwise);
+    for (int i = begin_[cell]; i < begin_[cell + 1]; ++i)
+      blend.add(parts_[i].weight, value(parts_[i].vertex));
+    return blend.mean();
   }
 
  private:

@@ -4,20 +4,13 @@
 #include <vector>
 
 #include "vcg_ext/clustering/clusters.h"
+#include "vcg_ext/index_range.h"
 
 namespace curvdecim {
 
 /// Numbers in groups, ascending in each.
 class Groups {
  public:
-  struct Range {
-    const int* first;
-    const int* last;
-    const int* begin() const { return first; }
-    const int* end() const { return last; }
-    int size() const { return static_cast<int>(last - first); }
-  };
-
   /// groups_of(i, take) calls take(group) for each group of i, below count.
   template <class GroupsOf>
   Groups(int groups, int count, GroupsOf groups_of) : begin_(groups + 1, 0) {
@@ -28,7 +21,7 @@ class Groups {
     for (int i = 0; i < count; ++i) groups_of(i, [&](int group) { items_[end[group]++] = i; });
   }
 
-  Range operator[](int group) const {
+  IndexRange operator[](int group) const {
     return {items_.data() + begin_[group], items_.data() + begin_[group + 1]};
   }
 

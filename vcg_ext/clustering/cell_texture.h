@@ -106,7 +106,7 @@ class CellTexture {
     });
   }
 
-  WedgeCoordinate nearest(Groups::Range faces, const Vector3& x) const {
+  WedgeCoordinate nearest(IndexRange faces, const Vector3& x) const {
     const FacePoint point = nearest_point(mesh_, faces, x);
     const FaceWedges& wedges = wedges_[point.face];
     WedgeCoordinate result{0.0, 0.0, wedges[0].page};

@@ -120,7 +120,7 @@ class RepresentativeSearch {
     return mean + part_inside(mean, least, low, high) * (least - mean);
   }
 
-  Vector3 median(Groups::Range members) const {
+  Vector3 median(IndexRange members) const {
     Vector3 result;
     std::vector<double> along(members.size());
     for (int k = 0; k < 3; ++k) {
@@ -137,7 +137,7 @@ class RepresentativeSearch {
 
   /// Of equals the one with the least coordinates, so that the order of the vertices does not
   /// matter.
-  int nearest_member(Groups::Range members, const Vector3& p) const {
+  int nearest_member(IndexRange members, const Vector3& p) const {
     const auto rank = [&](int v) {
       const Vector3& x = mesh_.position[v];
       return std::tuple((x - p).squaredNorm(), x[0], x[1], x[2]);

@@ -5,6 +5,8 @@
 #include <array>
 #include <vector>
 
+#include "vcg_ext/index_range.h"
+
 namespace curvdecim {
 
 using Face = std::array<int, 3>;
@@ -29,15 +31,6 @@ class TriangleConnectivity {
  public:
   static constexpr int dead = -1;  ///< the corners of a face that is gone
 
-  /// The faces around one vertex; valid until the next collapse.
-  struct FaceRange {
-    const int* first;
-    const int* last;
-    const int* begin() const { return first; }
-    const int* end() const { return last; }
-    int size() const { return static_cast<int>(last - first); }
-  };
-
   TriangleConnectivity() = default;
 
   /// faces: (F, 3) indices below vertex_count, no index twice in a face.
@@ -56,7 +49,8 @@ class TriangleConnectivity {
   bool alive(int face) const { return faces_[face][0] >= 0; }
   const Face& face(int f) const { return faces_[f]; }
 
-  FaceRange faces_of(int v) const {
+  /// The faces around v; valid until the next collapse.
+  IndexRange faces_of(int v) const {
     const List& list = lists_[v];
     return {pool_.data() + list.begin, pool_.data() + list.begin + list.size};
   }

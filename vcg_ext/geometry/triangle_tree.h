@@ -11,6 +11,7 @@
 
 #include "vcg_ext/geometry/closest_point.h"
 #include "vcg_ext/geometry/morton.h"
+#include "vcg_ext/index_range.h"
 #include "vcg_ext/parallel.h"
 
 namespace curvdecim {
@@ -178,13 +179,7 @@ class TriangleTree {
     boxes.set(place, low, high);
   }
 
-  struct Faces {
-    const int* first;
-    const int* last;
-    const int* begin() const { return first; }
-    const int* end() const { return last; }
-  };
-  Faces leaf(int node) const {
+  IndexRange leaf(int node) const {
     const int begin = (node - first_leaf_) * leaf_size;
     return {order_.data() + begin, order_.data() + std::min(face_count(), begin + leaf_size)};
   }

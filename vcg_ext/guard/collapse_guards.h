@@ -73,8 +73,8 @@ class CollapseGuards {
     if (turns_too_far(plane.normal, plane_after, cos_normal_) ||
         turns_too_far(input_normal_[f].unpacked(), plane_after, cos_input_normal_))
       return Rejection::NormalFlip;
-    if (is_worse_shaped(after, plane_after.area, least_shape_quality) &&  // rarely
-        spoils_shape(mesh_.triangle(f), plane.area, after, plane_after.area, least_shape_quality))
+    if (spoils_shape(after, plane_after.area, least_shape_quality,
+                     [&] { return shape_quality(mesh_.triangle(f), plane.area); }))
       return Rejection::TriangleShape;
     return std::nullopt;
   }

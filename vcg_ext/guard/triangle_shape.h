@@ -5,12 +5,12 @@
 
 namespace curvdecim {
 
-/// True if the collapse makes a needle or a cap out of a face that was better. `least` is a
-/// shape_quality.
-inline bool spoils_shape(const Triangle& before, double area_before, const Triangle& after,
-                         double area_after, double least) {
-  if (!is_worse_shaped(after, area_after, least)) return false;
-  return is_worse_shaped(after, area_after, shape_quality(before, area_before));
+/// True if a change makes a needle or a cap out of a face that was better. quality_before(): its
+/// shape_quality, asked for only where the face is below `least` now, which is rare.
+template <class Quality>
+bool spoils_shape(const Triangle& after, double area_after, double least, Quality quality_before) {
+  return is_worse_shaped(after, area_after, least) &&
+         is_worse_shaped(after, area_after, quality_before());
 }
 
 }  // namespace curvdecim

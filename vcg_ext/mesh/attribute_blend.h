@@ -110,21 +110,33 @@ bool is_finite(const Vector& value) {
   return value.allFinite();
 }
 
-/// The step's weighted sum of `from`; `otherwise` where no corner counts. A value that is not
-/// finite does not spread: the other corners stand in for it.
+/// The weighted mean of some values of a vector space over double. One that is not finite does not
+/// spread: the others stand in for it.
+template <class Value>
+class Blend {
+ public:
+  /// otherwise: the mean where no value counts.
+  explicit Blend(const Value& otherwise) : sum_(otherwise) {}
+
+  void add(double weight, const Value& value) {
+    if (weight == 0.0 || !is_finite(value)) return;
+    sum_ = weights_ == 0.0 ? Value(weight * value) : Value(sum_ + weight * value);
+    weights_ += weight;
+  }
+
+  Value mean() const { return weights_ == 0.0 || weights_ == 1.0 ? sum_ : Value(sum_ / weights_); }
+
+ private:
+  Value sum_;
+  double weights_ = 0.0;
+};
+
+/// The step's blend of `from`.
 template <class Value>
 Value blended(const BlendStep& step, const std::vector<Value>& from, const Value& otherwise) {
-  Value sum = otherwise;
-  double weights = 0.0;
-  for (int i = 0; i < 3; ++i) {
-    const double weight = step.weight[i];
-    const Value& value = from[step.from[i]];
-    if (weight == 0.0 || !is_finite(value)) continue;
-    sum = weights == 0.0 ? Value(weight * value) : Value(sum + weight * value);
-    weights += weight;
-  }
-  if (!(weights > 0.0)) return otherwise;
-  return weights == 1.0 ? sum : Value(sum / weights);
+  Blend<Value> blend(otherwise);
+  for (int i = 0; i < 3; ++i) blend.add(step.weight[i], from[step.from[i]]);
+  return blend.mean();
 }
 
 /// Replays the record on one attribute. Value: a vector space over double.

@@ -8,21 +8,11 @@
 #include <string>
 #include <vector>
 
+#include "vcg_ext/mesh/face_wedges.h"
 #include "vcg_ext/mesh/snapshot.h"
-#include "vcg_ext/mesh/wedge_texture.h"
 #include "vcg_ext/report.h"
 
 namespace curvdecim {
-
-template <class FaceType>
-FaceWedges wedges_of(const FaceType& face) {
-  FaceWedges wedges;
-  for (int i = 0; i < 3; ++i) {
-    const auto& texture = face.cWT(i);
-    wedges[i] = {double(texture.u()), double(texture.v()), texture.n()};
-  }
-  return wedges;
-}
 
 /// The wedge texture coordinates of the working faces, if the mesh has them.
 template <class MeshType>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <vcg/complex/algorithms/update/bounding.h>
 #include <vcg/complex/allocate.h>
 #include <vcg/complex/complex.h>
 
@@ -12,8 +11,9 @@
 
 #include "vcg_ext/clustering/cell_attributes.h"
 #include "vcg_ext/clustering/representatives.h"
+#include "vcg_ext/mesh/compact_mesh.h"
+#include "vcg_ext/mesh/face_wedges.h"
 #include "vcg_ext/mesh/vertex_attributes.h"
-#include "vcg_ext/mesh/wedge_texture.h"
 
 namespace curvdecim {
 
@@ -54,9 +54,7 @@ class ClusterWriteBack {
     connect_faces(wedges);
     move_vertices();
     delete_vertices();
-    clear_adjacency();
-    vcg::tri::Allocator<MeshType>::CompactEveryVector(mesh_);
-    vcg::tri::UpdateBounding<MeshType>::Box(mesh_);
+    compact_mesh(mesh_);
   }
 
  private:
@@ -138,15 +136,6 @@ class ClusterWriteBack {
     for (int k = 0; k < 3; ++k) face.N()[k] = static_cast<Scalar>(normal[k]);
   }
 
-  template <class FaceType>
-  static void write_wedges(FaceType& face, const FaceWedges& wedges) {
-    for (int i = 0; i < 3; ++i) {
-      auto& texture = face.WT(i);
-      texture.u() = static_cast<decltype(texture.u() + 0)>(wedges[i].u);
-      texture.v() = static_cast<decltype(texture.v() + 0)>(wedges[i].v);
-    }
-  }
-
   void move_vertices() {
     for (int c = 0; c < clusters_.cells(); ++c)
       if (in_use_[c]) vertex(c).P() = point_[c];
@@ -164,18 +153,6 @@ class ClusterWriteBack {
                              : in_use_[c] && representatives_.vertex[c] == static_cast<int>(v);
       if (!stays) vcg::tri::Allocator<MeshType>::DeleteVertex(mesh_, mesh_.vert[v]);
     }
-  }
-
-  /// Compaction follows these pointers, which lead nowhere now.
-  void clear_adjacency() {
-    if (vcg::tri::HasVFAdjacency(mesh_)) {
-      for (auto& v : mesh_.vert) v.VFClear();
-      for (auto& f : mesh_.face)
-        for (int i = 0; i < 3; ++i) f.VFClear(i);
-    }
-    if (vcg::tri::HasFFAdjacency(mesh_))
-      for (auto& f : mesh_.face)
-        for (int i = 0; i < 3; ++i) f.FFp(i) = nullptr;
   }
 
   MeshType& mesh_;

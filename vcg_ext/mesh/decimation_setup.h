@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -37,9 +36,8 @@ void lock_unselected(const MeshType& mesh, Snapshot& snapshot) {
       for (int i = 0; i < 3; ++i) locked[vcg::tri::Index(mesh, face.cV(i))] = true;
   for (std::size_t v = 0; v < snapshot.vertex_of.size(); ++v)
     snapshot.mesh.locked[v] = locked[snapshot.vertex_of[v]];
-  const auto outside = [&](int f) { return !mesh.face[f].IsS(); };
   const auto stay = std::stable_partition(snapshot.unusable.begin(), snapshot.unusable.end(),
-                                          std::not_fn(outside));
+                                          [&](int f) { return mesh.face[f].IsS(); });
   snapshot.left_alone.assign(stay, snapshot.unusable.end());
   snapshot.unusable.erase(stay, snapshot.unusable.end());
 }
@@ -65,10 +63,14 @@ std::vector<double> importance_from_quality(const MeshType& mesh,
   return importance;
 }
 
+/// At least one face.
+inline int faces_of_fraction(double fraction, int candidates) {
+  return std::max(1, static_cast<int>(fraction * candidates));
+}
+
 /// Faces to keep among `candidates`, by the parameter that rules.
 inline int target_faces(const DecimationParams& params, int candidates) {
-  if (params.target_fraction > 0.0)
-    return std::max(1, static_cast<int>(params.target_fraction * candidates));
+  if (params.target_fraction > 0.0) return faces_of_fraction(params.target_fraction, candidates);
   if (params.target_vertices > 0) return 0;
   return params.target_faces == DecimationParams::no_target ? 0 : params.target_faces;
 }
@@ -99,6 +101,16 @@ inline void note_repairs(const Snapshot& snapshot, DecimationReport& report) {
         "hinder decimation; merge close vertices first.");
 }
 
+inline void note_small_enough(DecimationReport& report) {
+  report.notes.push_back(
+      "The target is not below the current count: nothing to do, the mesh is unchanged.");
+}
+
+/// use: the parameter that asks for the quality.
+inline void note_no_quality(const std::string& use, DecimationReport& report) {
+  report.notes.push_back(use + " is on, but no vertex has a quality above zero: it has no effect.");
+}
+
 inline void require_target(const DecimationParams& params) {
   if (params.target_faces == DecimationParams::no_target && params.target_vertices == 0 &&
       params.target_fraction == 0.0 && params.max_error == 0.0)
@@ -125,15 +137,12 @@ std::optional<StopCriterion> set_up(const MeshType& mesh, const DecimationParams
             target = target_faces(params, candidates);
   const bool by_vertices = params.target_vertices > 0;
   if (target >= candidates || (by_vertices && params.target_vertices >= mesh.vn)) {
-    report.notes.push_back(
-        "The target is not below the current count: nothing to do, the mesh is unchanged.");
+    note_small_enough(report);
     return std::nullopt;
   }
   if (params.quality_weight) {
     snapshot.mesh.importance = importance_from_quality(mesh, snapshot.vertex_of);
-    if (snapshot.mesh.importance.empty())
-      report.notes.push_back(
-          "QualityWeight is on, but no vertex has a quality above zero: it has no effect.");
+    if (snapshot.mesh.importance.empty()) note_no_quality("QualityWeight", report);
   }
   note_repairs(snapshot, report);
   const auto outside = params.selected_only

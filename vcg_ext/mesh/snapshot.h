@@ -2,15 +2,15 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
-#include <string>
 #include <tuple>
 #include <utility>
 #include <vector>
 
 #include "vcg_ext/errors.h"
 #include "vcg_ext/geometry/morton.h"
+#include "vcg_ext/geometry/unit_box.h"
+#include "vcg_ext/mesh/input_checks.h"
 #include "vcg_ext/mesh/working_mesh.h"
 #include "vcg_ext/parallel.h"
 
@@ -23,11 +23,7 @@ struct Snapshot {
   std::vector<int> unusable;    // vcg faces left out, to be removed: an index twice, or a duplicate
   std::vector<int> left_alone;  // vcg faces left out that stay
   std::vector<bool> selected;   // by working face at the start
-  Vector3 center = Vector3::Zero();
-  double diagonal = 1.0;  // of the bounding box, in the mesh's unit
-
-  Vector3 to_box(const Vector3& p) const { return (p - center) / diagonal; }
-  Vector3 to_user(const Vector3& p) const { return diagonal * p + center; }
+  UnitBox box;
 };
 
 /// Reads the living faces and the vertices that they use.
@@ -39,11 +35,7 @@ class SnapshotReader {
 
   /// Throws InputError where there is nothing to decimate or a face uses a vertex that it cannot.
   Snapshot read() {
-    if (mesh_.vn == 0) throw InputError("The mesh is empty; load a triangle mesh first.");
-    if (mesh_.fn == 0)
-      throw InputError(
-          "The mesh has " + std::to_string(mesh_.vn) +
-          " points but no faces; decimation needs a triangle mesh. Reconstruct a surface first.");
+    require_faces(mesh_);
     read_faces();
     if (faces_.empty())
       throw InputError("Every face of the mesh uses a vertex twice; nothing is left to decimate.");
@@ -66,7 +58,7 @@ class SnapshotReader {
 
   void read_face(int f) {
     Face face;
-    for (int i = 0; i < 3; ++i) face[i] = vertex_index(f, i);
+    for (int i = 0; i < 3; ++i) face[i] = usable_vertex_at(mesh_, f, i);
     if (face[0] == face[1] || face[1] == face[2] || face[2] == face[0]) {
       snapshot_.unusable.push_back(f);
       return;
@@ -74,19 +66,6 @@ class SnapshotReader {
     for (int v : face) working_of_[v] = 0;
     faces_.push_back(face);
     face_of_.push_back(f);
-  }
-
-  int vertex_index(int f, int i) const {
-    const auto* vertex = mesh_.face[f].cV(i);
-    const auto index = vertex ? vertex - mesh_.vert.data() : -1;
-    if (index < 0 || index >= static_cast<std::ptrdiff_t>(mesh_.vert.size()) || vertex->IsD())
-      throw InputError("Face " + std::to_string(f) +
-                       " refers to a vertex that does not exist. Clean the mesh first.");
-    for (int k = 0; k < 3; ++k)
-      if (!std::isfinite(static_cast<double>(vertex->cP()[k])))
-        throw InputError("Vertex " + std::to_string(index) + " of face " + std::to_string(f) +
-                         " has a coordinate that is not finite. Delete it or its faces first.");
-    return static_cast<int>(index);
   }
 
   void collect_vertices() {
@@ -101,7 +80,7 @@ class SnapshotReader {
     std::vector<std::pair<std::uint64_t, int>> order(count);
     parallel_.for_each(count, [&](int i) {
       const int v = snapshot_.vertex_of[i];
-      order[i] = {morton_code(snapshot_.to_box(point(v))), v};
+      order[i] = {morton_code(snapshot_.box.to_box(point_of(mesh_, v))), v};
     });
     parallel_.sort(order.begin(), order.end());
     snapshot_.mesh.position.resize(count);
@@ -109,7 +88,7 @@ class SnapshotReader {
       const int v = order[i].second;
       snapshot_.vertex_of[i] = v;
       working_of_[v] = i;
-      snapshot_.mesh.position[i] = snapshot_.to_box(point(v));
+      snapshot_.mesh.position[i] = snapshot_.box.to_box(point_of(mesh_, v));
     });
     parallel_.for_each(static_cast<int>(faces_.size()), [&](int f) {
       for (int& v : faces_[f]) v = working_of_[v];
@@ -170,20 +149,13 @@ class SnapshotReader {
     face_of_.swap(face_of);
   }
 
-  Vector3 point(int v) const {
-    const auto& p = mesh_.vert[v].cP();
-    return {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
-  }
-
-  /// Divides by the largest side before squaring, so that no unit of length overflows.
   void normalize() {
-    Vector3 low = point(snapshot_.vertex_of[0]), high = low;
-    for (int v : snapshot_.vertex_of) low = low.cwiseMin(point(v)), high = high.cwiseMax(point(v));
-    const double side = (high - low).maxCoeff();
-    if (!(side > 0.0) || !std::isfinite(side))
-      throw InputError("All faces lie in one point, or the coordinates are too large to subtract.");
-    snapshot_.center = 0.5 * low + 0.5 * high;
-    snapshot_.diagonal = side * ((high - low) / side).norm();
+    Vector3 low = point_of(mesh_, snapshot_.vertex_of[0]), high = low;
+    for (int v : snapshot_.vertex_of) {
+      const Vector3 p = point_of(mesh_, v);
+      low = low.cwiseMin(p), high = high.cwiseMax(p);
+    }
+    snapshot_.box = unit_box(low, high);
   }
 
   void finish() {

@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <vcg/complex/algorithms/update/bounding.h>
 #include <vcg/complex/allocate.h>
 #include <vcg/complex/complex.h>
 
 #include <algorithm>
 #include <optional>
+#include <type_traits>
 #include <vector>
 
 #include "vcg_ext/mesh/attribute_blend.h"
+#include "vcg_ext/mesh/compact_mesh.h"
+#include "vcg_ext/mesh/face_wedges.h"
 #include "vcg_ext/mesh/snapshot.h"
-#include "vcg_ext/mesh/wedge_texture.h"
+#include "vcg_ext/mesh/vertex_attributes.h"
 
 namespace curvdecim {
 
@@ -28,14 +30,12 @@ class WriteBack {
   void run(const BlendRecord& record, const std::vector<BlendStep>& resampled,
            const std::optional<WedgeTexture>& wedges) {
     blend_attributes({record, resampled});
-    if (wedges) write_wedges(*wedges);
+    if (wedges) write_all_wedges(*wedges);
     move_vertices();
     const std::vector<bool> used_before = used_vertices();
     connect_faces();
     delete_vertices(used_before);
-    clear_adjacency();
-    vcg::tri::Allocator<MeshType>::CompactEveryVector(mesh_);
-    vcg::tri::UpdateBounding<MeshType>::Box(mesh_);
+    compact_mesh(mesh_);
   }
 
  private:
@@ -53,9 +53,10 @@ class WriteBack {
     for (int v = 0; v < connectivity().vertex_slots(); ++v) {
       auto& p = vertex(v).P();
       const Vector3& x = snapshot_.mesh.position[v];
-      moved_[v] = in_use(v) && x != snapshot_.to_box({double(p[0]), double(p[1]), double(p[2])});
+      moved_[v] =
+          in_use(v) && x != snapshot_.box.to_box({double(p[0]), double(p[1]), double(p[2])});
       if (!moved_[v]) continue;
-      const Vector3 user = snapshot_.to_user(x);
+      const Vector3 user = snapshot_.box.to_user(x);
       for (int k = 0; k < 3; ++k) p[k] = static_cast<Scalar>(user[k]);
     }
   }
@@ -105,25 +106,9 @@ class WriteBack {
         vcg::tri::Allocator<MeshType>::DeleteVertex(mesh_, mesh_.vert[v]);
   }
 
-  void write_wedges(const WedgeTexture& wedges) {
+  void write_all_wedges(const WedgeTexture& wedges) {
     for (int f = 0; f < connectivity().face_slots(); ++f)
-      for (int i = 0; i < 3 && connectivity().alive(f); ++i) {
-        auto& texture = face(f).WT(i);
-        texture.u() = static_cast<decltype(texture.u() + 0)>(wedges.of_face(f)[i].u);
-        texture.v() = static_cast<decltype(texture.v() + 0)>(wedges.of_face(f)[i].v);
-      }
-  }
-
-  /// Compaction follows these pointers; after the collapses they lead nowhere.
-  void clear_adjacency() {
-    if (vcg::tri::HasVFAdjacency(mesh_)) {
-      for (auto& v : mesh_.vert) v.VFClear();
-      for (auto& f : mesh_.face)
-        for (int i = 0; i < 3; ++i) f.VFClear(i);
-    }
-    if (vcg::tri::HasFFAdjacency(mesh_))
-      for (auto& f : mesh_.face)
-        for (int i = 0; i < 3; ++i) f.FFp(i) = nullptr;
+      if (connectivity().alive(f)) write_wedges(face(f), wedges.of_face(f));
   }
 
   // --- attributes: double while they are blended, so that rounding does not add up ---------------
@@ -151,36 +136,9 @@ class WriteBack {
   }
 
   void blend_attributes(const Steps& steps) {
-    if (vcg::tri::HasPerVertexQuality(mesh_))
-      blend<double>(
-          steps, [](const Vertex& v) { return double(v.cQ()); },
-          [](Vertex& v, double q) { v.Q() = static_cast<decltype(v.cQ() + 0)>(q); });
-    if (vcg::tri::HasPerVertexRadius(mesh_))
-      blend<double>(
-          steps, [](const Vertex& v) { return double(v.cR()); },
-          [](Vertex& v, double r) { v.R() = static_cast<decltype(v.cR() + 0)>(r); });
-    if (vcg::tri::HasPerVertexColor(mesh_)) blend<Eigen::Vector4d>(steps, read_color, write_color);
-    if (vcg::tri::HasPerVertexNormal(mesh_)) blend<Vector3>(steps, read_normal, write_normal);
-    if (vcg::tri::HasPerVertexTexCoord(mesh_))
-      blend<Eigen::Vector2d>(
-          steps, [](const Vertex& v) { return Eigen::Vector2d(v.cT().u(), v.cT().v()); },
-          [](Vertex& v, const Eigen::Vector2d& t) { v.T().u() = t.x(), v.T().v() = t.y(); });
-  }
-
-  static Eigen::Vector4d read_color(const Vertex& v) {
-    return {double(v.cC()[0]), double(v.cC()[1]), double(v.cC()[2]), double(v.cC()[3])};
-  }
-  static void write_color(Vertex& v, const Eigen::Vector4d& c) {
-    for (int k = 0; k < 4; ++k)
-      v.C()[k] = static_cast<unsigned char>(std::lround(std::clamp(c[k], 0.0, 255.0)));
-  }
-
-  static Vector3 read_normal(const Vertex& v) {
-    return {double(v.cN()[0]), double(v.cN()[1]), double(v.cN()[2])};
-  }
-  static void write_normal(Vertex& v, const Vector3& n) {
-    const double length = n.norm();
-    for (int k = 0; k < 3 && length > 0.0; ++k) v.N()[k] = static_cast<Scalar>(n[k] / length);
+    VertexAttributes<MeshType>::for_each(mesh_, [&](auto read, auto write) {
+      blend<std::decay_t<decltype(read(mesh_.vert[0]))>>(steps, read, write);
+    });
   }
 
   MeshType& mesh_;

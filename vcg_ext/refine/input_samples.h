@@ -54,13 +54,7 @@ class InputSamples {
   void sort_by_face() { sort_by_face(static_cast<int>(begin_.size()) - 1); }
 
   /// The samples whose nearest point is on face f of the mesh.
-  struct Range {
-    const int* first;
-    const int* last;
-    const int* begin() const { return first; }
-    const int* end() const { return last; }
-  };
-  Range of_face(int f) const {
+  IndexRange of_face(int f) const {
     return {by_face_.data() + begin_[f], by_face_.data() + begin_[f + 1]};
   }
 

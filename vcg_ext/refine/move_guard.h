@@ -77,8 +77,7 @@ class MoveGuard {
     }
   }
 
-  static bool is_any_set(TriangleConnectivity::FaceRange faces,
-                         const std::vector<std::uint8_t>& flag) {
+  static bool is_any_set(IndexRange faces, const std::vector<std::uint8_t>& flag) {
     return std::any_of(faces.begin(), faces.end(), [&](int f) { return flag[f] != 0; });
   }
 
@@ -89,7 +88,8 @@ class MoveGuard {
     const Triangle after{before[0] + steps[a], before[1] + steps[b], before[2] + steps[c]};
     const FacePlane plane = face_plane(after);
     return turns_too_far(mesh_.plane[f].normal, plane, least_turn) ||
-           spoils_shape(before, mesh_.plane[f].area, after, plane.area, least_shape_quality);
+           spoils_shape(after, plane.area, least_shape_quality,
+                        [&] { return shape_quality(before, mesh_.plane[f].area); });
   }
 
   /// Corners of a face that faces away go back to where they were, until no face does.
