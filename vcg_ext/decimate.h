@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "vcg_ext/dispatch.h"
@@ -22,16 +23,34 @@ inline bool may_refine(const EdgeCollapseParams& params) {
          params.placement != Placement::HalfEdge;
 }
 
-/// The vertices that the refinement moved, with where on the input they take their attributes from.
-inline std::vector<BlendStep> refine(WorkingMesh& mesh, const InputSurface& input,
-                                     const EdgeCollapseParams& params,
-                                     std::optional<WedgeTexture>& wedges, const Parallel& parallel,
-                                     ProgressMeter& progress) {
+/// What the mesh was before the collapses, read once more rather than kept through them.
+template <class MeshType>
+InputSurface read_input(const MeshType& mesh, const EdgeCollapseParams& params,
+                        const Parallel& parallel) {
+  Snapshot snapshot = take_snapshot(mesh, parallel);
+  if (params.quality_weight)
+    snapshot.mesh.importance = importance_from_quality(mesh, snapshot.vertex_of);
+  return input_surface(std::move(snapshot.mesh), params, snapshot.box.diagonal, parallel);
+}
+
+/// So that what is gone needs no memory.
+inline void pack(WorkingMesh& mesh, std::optional<WedgeTexture>& wedges) {
   const Renumbering without_gaps(mesh.connectivity);
   mesh.renumber(without_gaps);
+  mesh = WorkingMesh(mesh);  // a copy has no room to spare
   if (wedges) wedges->renumber(without_gaps);
-  if (mesh.connectivity.face_count() == 0) return {};  // without the link condition all may go
-  Refinement refinement(mesh, input, params, wedges ? &*wedges : nullptr, parallel);
+}
+
+/// Returns the vertices that the refinement moved, with where on the input they take their
+/// attributes from.
+template <class MeshType>
+std::vector<BlendStep> refine(const MeshType& mesh, WorkingMesh& decimated,
+                              const EdgeCollapseParams& params, std::optional<WedgeTexture>& wedges,
+                              const Parallel& parallel, ProgressMeter& progress) {
+  pack(decimated, wedges);
+  if (decimated.connectivity.face_count() == 0) return {};  // may be without the link condition
+  const InputSurface input = read_input(mesh, params, parallel);
+  Refinement refinement(decimated, input, params, wedges ? &*wedges : nullptr, parallel);
   refinement.run(params.refine_sweeps, progress);
   return refinement.attributes();
 }
@@ -55,9 +74,6 @@ void run_edge_collapse(MeshType& mesh, EdgeCollapseParams params, ProgressMeter&
                     expected_collapses(snapshot.mesh, *stop));
   std::optional<WedgeTexture> wedges = read_wedges(mesh, snapshot);
   note_attributes(mesh, snapshot, wedges, report);
-  std::optional<InputSurface> input;
-  if (may_refine(params))
-    input = input_surface(snapshot.mesh, params, snapshot.box.diagonal, parallel);
   with_metric(snapshot.mesh, params, snapshot.box.diagonal, [&](auto metric) {
     EdgeCollapse operation(snapshot.mesh, metric, params, params.scheduler, *stop);
     operation.add_observer(blend);
@@ -65,7 +81,7 @@ void run_edge_collapse(MeshType& mesh, EdgeCollapseParams params, ProgressMeter&
     operation.run(parallel, progress, report);
   });
   std::vector<BlendStep> refined;
-  if (input) refined = refine(snapshot.mesh, *input, params, wedges, parallel, progress);
+  if (may_refine(params)) refined = refine(mesh, snapshot.mesh, params, wedges, parallel, progress);
   report.max_error *= snapshot.box.diagonal;
   WriteBack<MeshType>(mesh, snapshot).run(blend, refined, wedges);
 }

@@ -43,7 +43,7 @@ class EdgeFlips {
   /// Of the edge from a to b between f = (a, b, c) and g = (b, a, d).
   struct Flip {
     int f = -1, g = -1, a = -1, b = -1, c = -1, d = -1;
-    double gain = 0.0;
+    float gain = 0.0f;
 
     bool operator<(const Flip& o) const {
       return std::tuple(-gain, f, g, a) < std::tuple(-o.gain, o.f, o.g, o.a);
@@ -81,38 +81,43 @@ class EdgeFlips {
   static constexpr int least_valence = 3;     // a vertex that loses a face has more
 
   std::vector<Flip> candidates(const std::vector<int>& near, const Parallel& parallel) const {
-    std::vector<std::array<Flip, 3>> of_face(mesh_.connectivity.face_slots());
+    std::vector<std::array<float, 3>> gains(mesh_.connectivity.face_slots());
     parallel.for_each(
         mesh_.connectivity.face_slots(),
         [&](int f) {
-          for (int i = 0; i < 3; ++i) of_face[f][i] = flip_of(f, i, near);
+          for (int i = 0; i < 3; ++i) gains[f][i] = static_cast<float>(gain(flip_of(f, i), near));
         },
         Parallel::heavy);
     std::vector<Flip> flips;
-    for (const auto& of_edges : of_face)
-      for (const Flip& flip : of_edges)
-        if (flip.gain > 0.0) flips.push_back(flip);
+    for (int f = 0; f < mesh_.connectivity.face_slots(); ++f)
+      for (int i = 0; i < 3; ++i)
+        if (gains[f][i] > 0.0f) {
+          flips.push_back(flip_of(f, i));
+          flips.back().gain = gains[f][i];
+        }
     return flips;
   }
 
-  /// Without a gain where the edge is not to be flipped; each edge comes up at its lower face.
-  Flip flip_of(int f, int corner, const std::vector<int>& near) const {
+  /// Each edge comes up at its lower face; g is -1 where there is nothing to flip.
+  Flip flip_of(int f, int corner) const {
     const TriangleConnectivity& connectivity = mesh_.connectivity;
-    Flip flip;
-    flip.f = f, flip.a = connectivity.face(f)[corner],
-    flip.b = connectivity.face(f)[(corner + 1) % 3];
-    flip.g = face_across(f, flip.a, flip.b);
-    if (flip.g < f) return {};
-    flip.c = connectivity.third_vertex(f, flip.a, flip.b);
-    flip.d = connectivity.third_vertex(flip.g, flip.a, flip.b);
+    const int a = connectivity.face(f)[corner], b = connectivity.face(f)[(corner + 1) % 3],
+              g = face_across(f, a, b);
+    if (g < f) return {};
+    return {f, g, a, b, connectivity.third_vertex(f, a, b), connectivity.third_vertex(g, a, b)};
+  }
+
+  /// Of the error; 0 where the edge is not to be flipped.
+  double gain(const Flip& flip, const std::vector<int>& near) const {
+    if (flip.g < 0) return 0.0;
     const double before = error(flip);
-    if (!(before > 0.0) || !keeps_surface(flip)) return {};
+    if (!(before > 0.0) || !keeps_surface(flip)) return 0.0;
     const auto [a, b, c, d] = positions(flip);
     const Pair now({a, b, c}, {b, a, d}), then({a, d, c}, {d, b, c});
-    if (!keeps_shape(now, then)) return {};
-    const double after = error_after(flip, then, worth_while * before, near[f]);
-    if (after < worth_while * before && faces_input(now, then, near[f])) flip.gain = before - after;
-    return flip;
+    if (!keeps_shape(now, then)) return 0.0;
+    const double after = error_after(flip, then, worth_while * before, near[flip.f]);
+    const bool is_better = after < worth_while * before && faces_input(now, then, near[flip.f]);
+    return is_better ? before - after : 0.0;
   }
 
   /// The one other face at the edge, if it runs the other way along it, or -1.
@@ -131,7 +136,7 @@ class EdgeFlips {
     double sum = 0.0;
     for (int f : {flip.f, flip.g}) {
       for (int i : of_input_.of_face(f)) sum += of_input_.weight(i) * of_input_.distance2(i);
-      for (const Match& match : of_mesh_.of_face(f)) sum += match.weight * match.distance2;
+      sum += of_mesh_.error(mesh_, f);
     }
     return sum;
   }
@@ -182,10 +187,10 @@ class EdgeFlips {
         sum += of_input_.weight(i) * then.distance2(of_input_.point(i));
         if (sum >= most) return sum;
       }
-    for (const Triangle& triangle : then.triangle) {
-      std::vector<Match> matches;
-      of_mesh_.match_face(triangle, hint, matches);
-      for (const Match& match : matches) sum += match.weight * match.distance2;
+    for (int i = 0; i < 2; ++i) {
+      MeshSamples::OfFace samples;
+      of_mesh_.match_face(then.triangle[i], then.plane[i], hint, samples);
+      sum += of_mesh_.error(samples, then.plane[i].area);
     }
     return sum;
   }

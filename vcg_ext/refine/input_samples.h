@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+#include <cstdint>
 #include <vector>
 
 #include "vcg_ext/parallel.h"
+#include "vcg_ext/refine/face_places.h"
 #include "vcg_ext/refine/input_surface.h"
 #include "vcg_ext/refine/match.h"
 
@@ -15,22 +18,27 @@ class InputSamples {
  public:
   /// mesh_faces: of the mesh that they will be matched with.
   InputSamples(const InputSurface& input, double area, int mesh_faces)
-      : input_(input), limits_(area, mesh_faces) {
-    spread_over_faces(area / (per_mesh_face * mesh_faces));
+      : input_(input),
+        limits_(area, mesh_faces),
+        places_(most_cuts),
+        part_(area / (per_mesh_face * mesh_faces)) {
+    make_room();
+    spread_over_faces();
     add_vertices();
-    matches_.resize(samples_.size());
+    found_.resize(face_.size());
   }
 
   /// With the mesh as it is now.
   void match(const TriangleTree<WorkingMesh>& tree, int mesh_faces, const Parallel& parallel) {
-    const int count = static_cast<int>(samples_.size());
+    const int count = static_cast<int>(face_.size());
     const auto match_run = [&](int run) {
       int last = SurfacePoint::none;  // neighbours in the list are neighbours in space
       for (int i = run * run_length; i < std::min(count, (run + 1) * run_length); ++i) {
-        const int hint = is_matched_ ? matches_[i].face : last;
-        const Vector3& normal = input_.plane[samples_[i].face].normal;
-        matches_[i] = nearest_on_sheet(tree, samples_[i].point, normal, hint, limits_);
-        last = matches_[i].face;
+        const int hint = is_matched_ ? found_[i].face : last;
+        const Triangle face = input_.triangle(face_[i]);
+        found_[i] = Found(
+            nearest_on_sheet(tree, at(face, places_[place_[i]]), area_vector(face), hint, limits_));
+        last = found_[i].face;
       }
     };
     parallel.for_each((count + run_length - 1) / run_length, match_run, Parallel::heavy);
@@ -42,12 +50,10 @@ class InputSamples {
   void match_among(const WorkingMesh& mesh, int f, int g) {
     for (int old : {f, g})
       for (int i : of_face(old)) {
-        matches_[i] = {};
-        for (int h : {f, g}) {
-          const SurfacePoint found = closest_on_face(mesh, h, samples_[i].point);
-          if (found.distance2 < matches_[i].distance2) matches_[i] = found;
-        }
-        limits_.round(matches_[i]);
+        SurfacePoint nearest;
+        for (int h : {f, g}) look_at(mesh, h, point(i), any_face, nearest);
+        limits_.round(nearest);
+        found_[i] = Found(nearest);
       }
   }
 
@@ -58,14 +64,15 @@ class InputSamples {
     return {by_face_.data() + begin_[f], by_face_.data() + begin_[f + 1]};
   }
 
-  Match match(int i) const {
-    return {matches_[i].weight, samples_[i].point, samples_[i].weight, matches_[i].distance2,
-            samples_[i].face};
+  /// face: of the mesh, the one that sample i is matched with.
+  Match match(const Triangle& face, int i) const {
+    const Vector3 target = point(i);
+    return {closest_point(face, target), target, weight(i), distance2(i)};
   }
-  const Vector3& point(int i) const { return samples_[i].point; }
-  double weight(int i) const { return samples_[i].weight; }
-  double distance2(int i) const { return matches_[i].distance2; }
-  int input_face(int i) const { return samples_[i].face; }
+  Vector3 point(int i) const { return at(input_.triangle(face_[i]), places_[place_[i]]); }
+  double weight(int i) const { return weight_[i]; }
+  double distance2(int i) const { return found_[i].distance2; }
+  int input_face(int i) const { return face_[i]; }
 
  private:
   static constexpr double per_mesh_face = 6.0;  // samples inside faces, about, at the least
@@ -73,56 +80,61 @@ class InputSamples {
   static constexpr double vertex_share = 0.1;  // of a face's weight: they see the largest errors
   static constexpr int run_length = 64;        // samples that follow each other's hints
 
-  struct Sample {
-    Vector3 point;
-    double weight;
-    int face;  // of the input
-  };
+  void add(int face, int place, double weight) {
+    face_.push_back(face), place_.push_back(static_cast<std::uint8_t>(place));
+    weight_.push_back(static_cast<float>(weight));
+  }
 
-  void spread_over_faces(double part) {
-    std::vector<Barycentric> points;
+  /// For exactly those that there will be.
+  void make_room() {
+    std::size_t count = input_.connectivity.vertex_slots();
+    for (int f = 0; f < input_.face_count(); ++f)
+      if (const double area = input_.area(f); area > 0.0) {
+        const int cuts = cuts_for(area, part_, most_cuts);
+        count += cuts * cuts;
+      }
+    face_.reserve(count), place_.reserve(count), weight_.reserve(count);
+  }
+
+  void spread_over_faces() {
     for (int f = 0; f < input_.face_count(); ++f) {
-      const double area = input_.plane[f].area;
+      const double area = input_.area(f);
       if (!(area > 0.0)) continue;
-      spread_over_triangle(cuts_for(area, part, most_cuts), points);
-      const double weight =
-          (1.0 - vertex_share) * input_.weight[f] * area / static_cast<double>(points.size());
-      for (const Barycentric& w : points)
-        samples_.push_back({at(input_.triangle(f), w), weight, f});
+      const int cuts = cuts_for(area, part_, most_cuts), count = cuts * cuts;
+      const double weight = (1.0 - vertex_share) * input_.weight[f] * area / count;
+      for (int i = 0; i < count; ++i) add(f, places_.first_of_parts(cuts) + i, weight);
     }
   }
 
+  /// Each as a corner of its first face.
   void add_vertices() {
-    const std::size_t first = samples_.size();
-    for (const Vector3& p : input_.position) samples_.push_back({p, 0.0, SurfacePoint::none});
-    for (int f = 0; f < input_.face_count(); ++f)
-      for (int v : input_.connectivity.face(f)) {
-        Sample& sample = samples_[first + v];
-        sample.weight += vertex_share * input_.weight[f] * input_.plane[f].area / 3.0;
-        if (sample.face == SurfacePoint::none) sample.face = f;
-      }
-  }
-
-  static SurfacePoint closest_on_face(const WorkingMesh& mesh, int f, const Vector3& p) {
-    const Triangle triangle = mesh.triangle(f);
-    const Barycentric weight = closest_point(triangle, p);
-    return {f, weight, (at(triangle, weight) - p).squaredNorm()};
+    for (int v = 0; v < input_.connectivity.vertex_slots(); ++v) {
+      const IndexRange faces = input_.connectivity.faces_of(v);
+      double weight = 0.0;
+      for (int f : faces) weight += vertex_share * input_.weight[f] * input_.area(f) / 3.0;
+      const int f = *faces.begin();
+      add(f, FacePlaces::of_corner(input_.connectivity.corner(f, v)), weight);
+    }
   }
 
   void sort_by_face(int mesh_faces) {
     begin_.assign(mesh_faces + 1, 0);
-    for (const SurfacePoint& match : matches_) ++begin_[match.face + 1];
+    for (const Found& found : found_) ++begin_[found.face + 1];
     for (int f = 0; f < mesh_faces; ++f) begin_[f + 1] += begin_[f];
-    by_face_.resize(matches_.size());
+    by_face_.resize(found_.size());
     std::vector<int> end(begin_.begin(), begin_.end() - 1);
-    for (std::size_t i = 0; i < matches_.size(); ++i)
-      by_face_[end[matches_[i].face]++] = static_cast<int>(i);
+    for (std::size_t i = 0; i < found_.size(); ++i)
+      by_face_[end[found_[i].face]++] = static_cast<int>(i);
   }
 
   const InputSurface& input_;
   const MatchLimits limits_;
-  std::vector<Sample> samples_;
-  std::vector<SurfacePoint> matches_;  // by sample: on the mesh
+  const FacePlaces places_;
+  const double part_;                // area that a sample stands for at most
+  std::vector<int> face_;            // by sample: of the input
+  std::vector<std::uint8_t> place_;  // by sample: on this face
+  std::vector<float> weight_;        // by sample: the part of the area that it stands for
+  std::vector<Found> found_;         // by sample: on the mesh
   bool is_matched_ = false;
   std::vector<int> begin_, by_face_;  // samples by the face of their match
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "vcg_ext/connectivity/edge_neighborhood.h"
@@ -17,16 +18,22 @@ namespace curvdecim {
 struct InputSurface {
   std::vector<Vector3> position;  // by vertex
   TriangleConnectivity connectivity;
-  std::vector<FacePlane> plane;  // by face
-  std::vector<double> weight;    // by face: how much its error counts, 1 in the mean
-  std::vector<Edge> border;      // edges of one face
+  std::vector<float> weight;  // by face: how much its error counts, 1 in the mean
+  std::vector<Edge> border;   // edges of one face
 
   int face_count() const { return connectivity.face_slots(); }
   Triangle triangle(int f) const {
     const auto [a, b, c] = connectivity.face(f);
     return {position[a], position[b], position[c]};
   }
+  double area(int f) const { return area_vector(triangle(f)).norm(); }
 };
+
+inline double total_area(const InputSurface& surface) {
+  double sum = 0.0;
+  for (int f = 0; f < surface.face_count(); ++f) sum += surface.area(f);
+  return sum;
+}
 
 /// By vertex: how much an error there counts, as it does in the collapses.
 inline std::vector<double> error_weights(const WorkingMesh& mesh, const EdgeCollapseParams& params,
@@ -49,22 +56,25 @@ inline void set_face_weights(const std::vector<double>& of_vertex, InputSurface&
   double sum = 0.0, area = 0.0;
   for (int f = 0; f < surface.face_count(); ++f) {
     const auto [a, b, c] = surface.connectivity.face(f);
-    surface.weight.push_back((of_vertex[a] + of_vertex[b] + of_vertex[c]) / 3.0);
-    sum += surface.weight[f] * surface.plane[f].area;
-    area += surface.plane[f].area;
+    const double weight = (of_vertex[a] + of_vertex[b] + of_vertex[c]) / 3.0;
+    surface.weight.push_back(static_cast<float>(weight));
+    sum += weight * surface.area(f);
+    area += surface.area(f);
   }
-  for (double& weight : surface.weight) weight = sum > 0.0 ? weight * (area / sum) : 1.0;
+  for (float& weight : surface.weight)
+    weight = sum > 0.0 ? static_cast<float>(weight * (area / sum)) : 1.0f;
 }
 
-/// mesh: before the collapses; diagonal: of the input in its own unit.
-inline InputSurface input_surface(const WorkingMesh& mesh, const EdgeCollapseParams& params,
+/// mesh: without collapses; diagonal: of the input in its own unit.
+inline InputSurface input_surface(WorkingMesh mesh, const EdgeCollapseParams& params,
                                   double diagonal, const Parallel& parallel) {
+  const std::vector<double> weights = error_weights(mesh, params, diagonal, parallel);
   InputSurface surface;
-  surface.position = mesh.position;
-  surface.plane = mesh.plane;
-  surface.connectivity = mesh.connectivity;
-  set_face_weights(error_weights(mesh, params, diagonal, parallel), surface);
+  surface.weight.reserve(mesh.connectivity.face_slots());
   surface.border = border_edges(mesh);
+  surface.position = std::move(mesh.position);
+  surface.connectivity = std::move(mesh.connectivity);
+  set_face_weights(weights, surface);
   return surface;
 }
 

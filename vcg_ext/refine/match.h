@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-#include <vector>
-
 #include "vcg_ext/geometry/triangle_tree.h"
 #include "vcg_ext/refine/surface_walk.h"
 
@@ -17,7 +13,16 @@ struct Match {
   Vector3 target;       // on the input
   double weight = 0.0;  // the part of the area that the sample stands for
   double distance2 = 0.0;
-  int input_face = SurfacePoint::none;  // that the target is on, where it is known
+};
+
+/// What is kept of the nearest point: where on the face it lies is quickly found again.
+struct Found {
+  int face = SurfacePoint::none;
+  float distance2 = 0.0f;
+
+  Found() = default;
+  explicit Found(const SurfacePoint& point)
+      : face(point.face), distance2(static_cast<float>(point.distance2)) {}
 };
 
 /// How far to look.
@@ -50,25 +55,6 @@ SurfacePoint nearest_on_sheet(const TriangleTree<Surface>& tree, const Vector3& 
   if (!found.found()) found = tree.nearest(p, hint);
   limits.round(found);
   return found;
-}
-
-/// Centres of the parts of a triangle whose edges are cut in `cuts`.
-inline void spread_over_triangle(int cuts, std::vector<Barycentric>& points) {
-  points.clear();
-  const double third = 1.0 / 3.0;
-  const auto add = [&](double x, double y) {
-    points.push_back({1.0 - (x + y) / cuts, x / cuts, y / cuts});
-  };
-  for (int i = 0; i < cuts; ++i)
-    for (int j = 0; i + j < cuts; ++j) {
-      add(i + third, j + third);
-      if (i + j + 1 < cuts) add(i + 2.0 * third, j + 2.0 * third);
-    }
-}
-
-/// Cuts of an edge, so that the parts of a face are about as large as `part`, up to a limit.
-inline int cuts_for(double area, double part, int most) {
-  return static_cast<int>(std::lround(std::clamp(std::sqrt(area / part), 1.0, double(most))));
 }
 
 }  // namespace curvdecim

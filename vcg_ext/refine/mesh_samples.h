@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "vcg_ext/mesh/working_mesh.h"
 #include "vcg_ext/parallel.h"
+#include "vcg_ext/refine/face_places.h"
 #include "vcg_ext/refine/input_surface.h"
 #include "vcg_ext/refine/match.h"
 
@@ -14,77 +16,103 @@ namespace curvdecim {
 /// from the input.
 class MeshSamples {
  public:
+  /// Of one face; their number tells their places.
+  using OfFace = std::vector<Found>;
+
   MeshSamples(const InputSurface& input, const TriangleTree<InputSurface>& tree, double area,
               int mesh_faces)
       : input_(input),
         tree_(tree),
         limits_(area, mesh_faces),
+        places_(most_cuts),
         part_(area / (per_face * mesh_faces)),
         of_face_(mesh_faces) {}
 
   /// Of the mesh as it is now. near: by face, a face of the input near it, or SurfacePoint::none.
   void match(const WorkingMesh& mesh, const std::vector<int>& near, const Parallel& parallel) {
     parallel.for_each(
-        mesh.connectivity.face_slots(),
-        [&](int f) { match_face(mesh.triangle(f), near[f], of_face_[f]); }, Parallel::heavy);
+        mesh.connectivity.face_slots(), [&](int f) { match_face(mesh, f, near[f]); },
+        Parallel::heavy);
     of_vertex_.resize(mesh.connectivity.vertex_slots());
     parallel.for_each(mesh.connectivity.vertex_slots(), [&](int v) { match_vertex(mesh, v); });
   }
 
   void match_face(const WorkingMesh& mesh, int f, int hint) {
-    match_face(mesh.triangle(f), hint, of_face_[f]);
+    match_face(mesh.triangle(f), mesh.plane[f], hint, of_face_[f]);
+  }
+
+  /// Samples inside a face that could be. samples: known ones are hints, if there are as many.
+  void match_face(const Triangle& triangle, const FacePlane& plane, int hint,
+                  OfFace& samples) const {
+    const int cuts = cuts_for(plane.area, part_, most_cuts), count = cuts * cuts;
+    const bool is_known = static_cast<int>(samples.size()) == count;
+    samples.resize(count);
+    for (int i = 0; i < count; ++i) {
+      if (is_known) hint = samples[i].face;
+      const Vector3 p = at(triangle, places_[places_.first_of_parts(cuts) + i]);
+      samples[i] = Found(nearest_on_sheet(tree_, p, plane.normal, hint, limits_));
+      hint = samples[i].face;
+    }
+  }
+
+  /// Sum of the squared distances by the area that they stand for.
+  double error(const OfFace& samples, double area) const {
+    double sum = 0.0;
+    for (const Found& found : samples) sum += double(input_.weight[found.face]) * found.distance2;
+    return sum * (area / static_cast<double>(samples.size()));
+  }
+  double error(const WorkingMesh& mesh, int f) const {
+    return error(of_face_[f], mesh.plane[f].area);
   }
 
   /// Inside face f.
-  const std::vector<Match>& of_face(int f) const { return of_face_[f]; }
+  std::vector<Match> matches(const WorkingMesh& mesh, int f) const {
+    const OfFace& samples = of_face_[f];
+    const Triangle triangle = mesh.triangle(f);
+    const int count = static_cast<int>(samples.size()),
+              first = places_.first_of_parts(static_cast<int>(std::lround(std::sqrt(count))));
+    std::vector<Match> matches;
+    for (int i = 0; i < count; ++i) {
+      const Barycentric& place = places_[first + i];
+      matches.push_back(match_of(samples[i], at(triangle, place), mesh.plane[f].area / count));
+      matches.back().at = place;
+    }
+    return matches;
+  }
 
   /// At vertex v; its place in a face is left out.
-  const Match& of_vertex(int v) const { return of_vertex_[v]; }
-
-  /// Samples of a face that could be. matches: known ones are hints, if there are as many.
-  void match_face(const Triangle& triangle, int hint, std::vector<Match>& matches) const {
-    const FacePlane plane = face_plane(triangle);
-    std::vector<Barycentric> points;
-    spread_over_triangle(cuts_for(plane.area, part_, most_cuts), points);
-    const bool is_known = matches.size() == points.size();
-    matches.resize(points.size());
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      if (is_known) hint = matches[i].input_face;
-      const SurfacePoint found =
-          nearest_on_sheet(tree_, at(triangle, points[i]), plane.normal, hint, limits_);
-      matches[i] = match_at(found, plane.area / static_cast<double>(points.size()));
-      matches[i].at = points[i];
-      hint = found.face;
-    }
+  Match match_of_vertex(const WorkingMesh& mesh, int v) const {
+    double area = 0.0;
+    for (int f : mesh.connectivity.faces_of(v)) area += mesh.plane[f].area;
+    return match_of(of_vertex_[v], mesh.position[v], vertex_weight * area / 3.0);
   }
+
+  /// That the match of vertex v is on.
+  int input_face(int v) const { return of_vertex_[v].face; }
 
  private:
   static constexpr double per_face = 10.0;       // samples of a face of mean area
   static constexpr int most_cuts = 4;            // of an edge
   static constexpr double vertex_weight = 0.05;  // against the faces around: enough to hold spikes
 
-  Match match_at(const SurfacePoint& found, double area) const {
-    return {{},
-            at(input_.triangle(found.face), found.weight),
-            input_.weight[found.face] * area,
-            found.distance2,
-            found.face};
+  Match match_of(const Found& found, const Vector3& p, double area) const {
+    const Triangle face = input_.triangle(found.face);
+    return {
+        {}, at(face, closest_point(face, p)), input_.weight[found.face] * area, found.distance2};
   }
 
   void match_vertex(const WorkingMesh& mesh, int v) {
-    double area = 0.0;
-    for (int f : mesh.connectivity.faces_of(v)) area += mesh.plane[f].area;
-    const SurfacePoint found = nearest_on_sheet(
-        tree_, mesh.position[v], area_vector_around(mesh, v), of_vertex_[v].input_face, limits_);
-    of_vertex_[v] = match_at(found, vertex_weight * area / 3.0);
+    of_vertex_[v] = Found(nearest_on_sheet(tree_, mesh.position[v], area_vector_around(mesh, v),
+                                           of_vertex_[v].face, limits_));
   }
 
   const InputSurface& input_;
   const TriangleTree<InputSurface>& tree_;
   const MatchLimits limits_;
+  const FacePlaces places_;
   const double part_;  // area that a sample stands for at most
-  std::vector<std::vector<Match>> of_face_;
-  std::vector<Match> of_vertex_;
+  std::vector<OfFace> of_face_;
+  std::vector<Found> of_vertex_;
 };
 
 }  // namespace curvdecim

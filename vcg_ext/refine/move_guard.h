@@ -48,7 +48,7 @@ class MoveGuard {
   double facing(const Triangle& triangle, int hint) const {
     const Vector3 normal = face_plane(triangle).normal;
     const Vector3 center = (triangle[0] + triangle[1] + triangle[2]) / 3.0;
-    return normal.dot(input_.plane[tree_.nearest(center, hint).face].normal);
+    return normal.dot(face_plane(input_.triangle(tree_.nearest(center, hint).face)).normal);
   }
 
  private:

@@ -3,8 +3,10 @@
 
 #include <array>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
+#include "vcg_ext/connectivity/edge_neighborhood.h"
 #include "vcg_ext/connectivity/triangle_connectivity.h"
 #include "vcg_ext/geometry/symmetric3.h"
 #include "vcg_ext/parallel.h"
@@ -33,43 +35,72 @@ struct CornerSystem {
   }
 };
 
+/// What ties corner 0 to 1, 1 to 2 and 2 to 0, in single precision: steps need no more.
+class CornerTies {
+ public:
+  CornerTies() = default;
+  explicit CornerTies(const CornerSystem& system) {
+    for (int i = 0; i < 3; ++i) {
+      const Symmetric3& m = system.matrix[CornerSystem::pair(i, (i + 1) % 3)];
+      values_[i] = {float(m.xx), float(m.xy), float(m.xz), float(m.yy), float(m.yz), float(m.zz)};
+    }
+  }
+
+  /// Of corner i and the one after it.
+  Symmetric3 with_next(int i) const {
+    const auto [xx, xy, xz, yy, yz, zz] = values_[i];
+    return {xx, xy, xz, yy, yz, zz};
+  }
+
+ private:
+  std::array<std::array<float, 6>, 3> values_{};
+};
+
 /// The normal equations of all corners, for the steps of the vertices.
 class NormalEquations {
  public:
-  struct EdgeSystem {
-    int a, b;
-    CornerSystem system;
-  };
-
-  std::vector<CornerSystem> of_face;
-  std::vector<EdgeSystem> of_edge;   // of the boundary
-  std::vector<Symmetric3> diagonal;  // by vertex: what is asked of it alone, in solve() of all
-  std::vector<Vector3> force;        // likewise
-
   /// fixed: by vertex, 1 may not move.
   NormalEquations(const TriangleConnectivity& connectivity, const std::vector<std::uint8_t>& fixed)
-      : of_face(connectivity.face_slots()),
-        diagonal(connectivity.vertex_slots()),
-        force(connectivity.vertex_slots(), Vector3::Zero()),
-        connectivity_(connectivity),
-        fixed_(fixed) {}
+      : connectivity_(connectivity),
+        fixed_(fixed),
+        face_ties_(connectivity.face_slots()),
+        diagonal_(connectivity.vertex_slots()),
+        force_(connectivity.vertex_slots(), Vector3::Zero()) {}
+
+  /// A face asks this of its corners.
+  void add_face(int f, const CornerSystem& system) {
+    face_ties_[f] = CornerTies(system);
+    for (int i = 0; i < 3; ++i) add_corner(system, i, connectivity_.face(f)[i]);
+  }
+
+  /// So does an edge of the boundary, as corners 0 and 1.
+  void add_edge(Edge edge, const CornerSystem& system) {
+    edge_ties_.push_back({edge, system.matrix[CornerSystem::pair(0, 1)]});
+    add_corner(system, 0, edge.a), add_corner(system, 1, edge.b);
+  }
+
+  /// A vertex is to move by `pull`, of which `m` counts.
+  void add_vertex(int v, const Symmetric3& m, const Vector3& pull, double weight) {
+    diagonal_[v] += m * weight;
+    force_[v] += weight * pull;
+  }
 
   /// Some steps of the conjugate gradient method: far enough that neighbours know of each other;
   /// the samples are matched anew before an exact solution would be worth its time.
   std::vector<Vector3> solve(const Parallel& parallel) {
-    collect(parallel);
-    std::vector<Vector3> x(force.size(), Vector3::Zero()), direction, image(force.size());
+    hold();
+    std::vector<Vector3> x(force_.size(), Vector3::Zero()), direction, image(force_.size());
     precondition(direction, parallel);
-    double height = dot(force, direction);
+    double height = dot(force_, direction);
     for (int step = 0; step < steps && height > 0.0; ++step) {
       multiply(direction, image, parallel);
       const double bend = dot(direction, image);
       if (!(bend > 0.0)) break;
       const double length = height / bend;
       for (std::size_t v = 0; v < x.size(); ++v)
-        x[v] += length * direction[v], force[v] -= length * image[v];
+        x[v] += length * direction[v], force_[v] -= length * image[v];
       precondition(scaled_force_, parallel);
-      const double next = dot(force, scaled_force_);
+      const double next = dot(force_, scaled_force_);
       for (std::size_t v = 0; v < x.size(); ++v)
         direction[v] = scaled_force_[v] + (next / height) * direction[v];
       height = next;
@@ -81,52 +112,43 @@ class NormalEquations {
   static constexpr int steps = 5;
   static constexpr double slack = 1e-4;  // of the trace: lets vertices slide along the surface
 
-  /// From faces and edges to vertices.
-  void collect(const Parallel& parallel) {
-    parallel.for_each(static_cast<int>(force.size()), [&](int v) {
-      for (int f : connectivity_.faces_of(v)) add_corner(of_face[f], connectivity_.corner(f, v), v);
-    });
-    for (const EdgeSystem& edge : of_edge) {
-      add_corner(edge.system, 0, edge.a);
-      add_corner(edge.system, 1, edge.b);
-    }
-    for (std::size_t v = 0; v < force.size(); ++v) {
-      diagonal[v] = diagonal[v].plus_diagonal(slack * diagonal[v].trace());
-      if (is_held(static_cast<int>(v))) force[v].setZero();
-    }
+  void add_corner(const CornerSystem& system, int corner, int v) {
+    diagonal_[v] += system.matrix[CornerSystem::pair(corner, corner)];
+    force_[v] += system.force[corner];
   }
 
-  void add_corner(const CornerSystem& system, int corner, int v) {
-    diagonal[v] += system.matrix[CornerSystem::pair(corner, corner)];
-    force[v] += system.force[corner];
+  void hold() {
+    for (std::size_t v = 0; v < force_.size(); ++v) {
+      diagonal_[v] = diagonal_[v].plus_diagonal(slack * diagonal_[v].trace());
+      if (is_held(static_cast<int>(v))) force_[v].setZero();
+    }
   }
 
   /// A vertex that may not move, or that no sample asks anything of.
-  bool is_held(int v) const { return fixed_[v] != 0 || !(diagonal[v].trace() > 0.0); }
+  bool is_held(int v) const { return fixed_[v] != 0 || !(diagonal_[v].trace() > 0.0); }
 
   void precondition(std::vector<Vector3>& result, const Parallel& parallel) const {
-    result.resize(force.size());
-    parallel.for_each(static_cast<int>(force.size()), [&](int v) {
+    result.resize(force_.size());
+    parallel.for_each(static_cast<int>(force_.size()), [&](int v) {
       result[v] =
-          is_held(v) ? Vector3(Vector3::Zero()) : Factorization3(diagonal[v]).solve(force[v]);
+          is_held(v) ? Vector3(Vector3::Zero()) : Factorization3(diagonal_[v]).solve(force_[v]);
     });
   }
 
   void multiply(const std::vector<Vector3>& x, std::vector<Vector3>& result,
                 const Parallel& parallel) const {
     parallel.for_each(static_cast<int>(x.size()), [&](int v) {
-      result[v] = diagonal[v] * x[v];
+      result[v] = diagonal_[v] * x[v];
       for (int f : connectivity_.faces_of(v)) {
-        const int i = connectivity_.corner(f, v);
-        for (int j = 0; j < 3; ++j)
-          if (j != i)
-            result[v] += of_face[f].matrix[CornerSystem::pair(i, j)] * x[connectivity_.face(f)[j]];
+        const int i = connectivity_.corner(f, v), next = (i + 1) % 3, last = (i + 2) % 3;
+        const Face& face = connectivity_.face(f);
+        result[v] += face_ties_[f].with_next(i) * x[face[next]];
+        result[v] += face_ties_[f].with_next(last) * x[face[last]];
       }
     });
-    for (const EdgeSystem& edge : of_edge) {
-      const Symmetric3& between = edge.system.matrix[CornerSystem::pair(0, 1)];
-      result[edge.a] += between * x[edge.b];
-      result[edge.b] += between * x[edge.a];
+    for (const auto& [edge, tie] : edge_ties_) {
+      result[edge.a] += tie * x[edge.b];
+      result[edge.b] += tie * x[edge.a];
     }
     for (std::size_t v = 0; v < x.size(); ++v)
       if (is_held(static_cast<int>(v))) result[v].setZero();
@@ -141,7 +163,10 @@ class NormalEquations {
 
   const TriangleConnectivity& connectivity_;
   const std::vector<std::uint8_t>& fixed_;
-  std::vector<Vector3> scaled_force_;
+  std::vector<CornerTies> face_ties_;                   // by face
+  std::vector<std::pair<Edge, Symmetric3>> edge_ties_;  // of the boundary
+  std::vector<Symmetric3> diagonal_;                    // by vertex
+  std::vector<Vector3> force_, scaled_force_;           // by vertex
 };
 
 }  // namespace curvdecim

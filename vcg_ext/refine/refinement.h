@@ -87,12 +87,6 @@ class Refinement {
   /// A border's samples against those of the surface: the border must not pull the surface along.
   static constexpr double border_share = 0.3;
 
-  static double total_area(const InputSurface& input) {
-    double sum = 0.0;
-    for (const FacePlane& plane : input.plane) sum += plane.area;
-    return sum;
-  }
-
   int face_count() const { return mesh_.connectivity.face_slots(); }
 
   std::vector<std::uint8_t> fixed_vertices() const {
@@ -126,7 +120,7 @@ class Refinement {
 
   SurfacePoint on_input(int v) const {
     return nearest_on_sheet(input_tree_, mesh_.position[v], area_vector_around(mesh_, v),
-                            of_mesh_.of_vertex(v).input_face, limits_);
+                            of_mesh_.input_face(v), limits_);
   }
 
   WorkingMesh& mesh_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "vcg_ext/mesh/working_mesh.h"
@@ -24,26 +25,34 @@ class VertexFit {
                              const BorderSamples& of_border,
                              const std::vector<std::uint8_t>& fixed) const {
     NormalEquations equations(mesh_.connectivity, fixed);
-    parallel_.for_each(
-        mesh_.connectivity.face_slots(),
-        [&](int f) { equations.of_face[f] = system_of_face(f, of_input, of_mesh); },
-        Parallel::heavy);
-    parallel_.for_each(mesh_.connectivity.vertex_slots(),
-                       [&](int v) { add_vertex(v, of_mesh.of_vertex(v), equations); });
-    for (int e = 0; e < of_border.edge_count(); ++e) {
-      const auto [a, b] = of_border.edge(e);
-      equations.of_edge.push_back({a, b, system_of_edge(of_border, e)});
-    }
+    for (int begin = 0; begin < mesh_.connectivity.face_slots(); begin += block)
+      add_faces(begin, std::min(mesh_.connectivity.face_slots(), begin + block), of_input, of_mesh,
+                equations);
+    for (int v = 0; v < mesh_.connectivity.vertex_slots(); ++v)
+      add_vertex(v, of_mesh.match_of_vertex(mesh_, v), equations);
+    for (int e = 0; e < of_border.edge_count(); ++e)
+      equations.add_edge(of_border.edge(e), system_of_edge(of_border, e));
     return equations.solve(parallel_);
   }
 
  private:
+  static constexpr int block = 1024;  // faces at once: their systems would fill the memory
+
+  void add_faces(int begin, int end, const InputSamples& of_input, const MeshSamples& of_mesh,
+                 NormalEquations& equations) const {
+    std::vector<CornerSystem> systems(end - begin);
+    parallel_.for_each(
+        end - begin, [&](int i) { systems[i] = system_of_face(begin + i, of_input, of_mesh); },
+        Parallel::heavy);
+    for (int f = begin; f < end; ++f) equations.add_face(f, systems[f - begin]);
+  }
+
   CornerSystem system_of_face(int f, const InputSamples& of_input,
                               const MeshSamples& of_mesh) const {
     const Triangle triangle = mesh_.triangle(f);
     CornerSystem system;
-    for (int i : of_input.of_face(f)) add(triangle, f, of_input.match(i), system);
-    for (const Match& match : of_mesh.of_face(f)) add(triangle, f, match, system);
+    for (int i : of_input.of_face(f)) add(triangle, f, of_input.match(triangle, i), system);
+    for (const Match& match : of_mesh.matches(mesh_, f)) add(triangle, f, match, system);
     return system;
   }
 
@@ -60,8 +69,7 @@ class VertexFit {
   void add_vertex(int v, const Match& match, NormalEquations& equations) const {
     const Vector3 pull = match.target - mesh_.position[v];
     if (!(match.distance2 > 0.0)) return;
-    equations.diagonal[v] += Symmetric3::outer(pull, match.weight / pull.squaredNorm());
-    equations.force[v] += match.weight * pull;
+    equations.add_vertex(v, Symmetric3::outer(pull, 1.0 / pull.squaredNorm()), pull, match.weight);
   }
 
   /// Across an edge a sample counts in both directions, beyond its ends along the line to its
