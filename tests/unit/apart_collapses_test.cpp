@@ -69,7 +69,8 @@ class ApartCollapsesOn : public testing::TestWithParam<NamedShape> {
         if (!choices.exists(a) || b < choices.of(a).partner) choices.set(a, {{0.0, 0.0}, b});
       }
     RoundSelection selection(connectivity_, choices);
-    selection.begin(0.25), selection.pick();
+    const Parallel one_thread(1);
+    selection.begin(0.25, one_thread), selection.pick(one_thread);
     edges_ = selection.edges();
   }
 

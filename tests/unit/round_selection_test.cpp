@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
+#include <utility>
 
 #include "support/mesh_group.h"
 #include "support/working_mesh.h"
@@ -46,6 +48,7 @@ std::vector<std::pair<int, int>> pairs(const std::vector<Edge>& edges) {
 }
 
 constexpr double share = 0.25;
+const Parallel one_thread(1);
 
 class RoundSelectionOn : public testing::TestWithParam<NamedShape> {
  protected:
@@ -55,9 +58,9 @@ class RoundSelectionOn : public testing::TestWithParam<NamedShape> {
 };
 
 TEST_P(RoundSelectionOn, PicksEdgesThatLieApart) {
-  selection_.begin(share);
+  selection_.begin(share, one_thread);
   for (int picks = 0; picks < 3; ++picks) {
-    selection_.pick();
+    selection_.pick(one_thread);
     std::set<int> taken;
     for (Edge edge : selection_.edges()) {
       const std::set<int> around = neighborhood(mesh_, edge);
@@ -68,8 +71,8 @@ TEST_P(RoundSelectionOn, PicksEdgesThatLieApart) {
 }
 
 TEST_P(RoundSelectionOn, PicksChoicesThatCostNoMoreThanTheLimit) {
-  selection_.begin(share);
-  selection_.pick();
+  selection_.begin(share, one_thread);
+  selection_.pick(one_thread);
   EXPECT_FALSE(selection_.edges().empty());
   for (Edge edge : selection_.edges()) {
     EXPECT_EQ(choices_.of(edge.a).partner, edge.b);
@@ -78,8 +81,8 @@ TEST_P(RoundSelectionOn, PicksChoicesThatCostNoMoreThanTheLimit) {
 }
 
 TEST_P(RoundSelectionOn, PassesOverOnlyWhatTouchesAPickOrIsDearer) {
-  selection_.begin(share);
-  selection_.pick();
+  selection_.begin(share, one_thread);
+  selection_.pick(one_thread);
   std::set<int> taken;
   for (Edge edge : selection_.edges()) taken.merge(neighborhood(mesh_, edge));
   for (int v = 0; v < mesh_.connectivity.vertex_slots(); ++v) {
@@ -89,57 +92,64 @@ TEST_P(RoundSelectionOn, PassesOverOnlyWhatTouchesAPickOrIsDearer) {
 }
 
 TEST_P(RoundSelectionOn, PicksEveryCandidateOnce) {
-  selection_.begin(share);
+  selection_.begin(share, one_thread);
   const int candidates = selection_.candidates();
   std::set<std::pair<int, int>> picked;
   while (selection_.candidates() > 0) {
-    selection_.pick();
+    selection_.pick(one_thread);
     for (Edge edge : selection_.edges()) EXPECT_TRUE(picked.insert({edge.a, edge.b}).second);
   }
   EXPECT_EQ(static_cast<int>(picked.size()), candidates);
 }
 
 TEST_P(RoundSelectionOn, PicksNoEdgeOfAVertexMergedInTheRound) {
-  selection_.begin(share);
+  selection_.begin(share, one_thread);
   std::set<int> merged;
   while (selection_.candidates() > 0) {
-    selection_.pick();
+    selection_.pick(one_thread);
     for (Edge edge : selection_.edges()) {
       EXPECT_FALSE(meets({edge.a, edge.b}, merged)) << edge.a << '-' << edge.b;
       merged.insert({edge.a, edge.b});
       selection_.set_merged(edge);
     }
   }
-  selection_.begin(share);
-  selection_.pick();
+  selection_.begin(share, one_thread);
+  selection_.pick(one_thread);
   EXPECT_FALSE(selection_.edges().empty()) << "a new round";
 }
 
-TEST_P(RoundSelectionOn, PicksTheSameAgain) {
+TEST_P(RoundSelectionOn, PicksTheSameAgainOnAnyNumberOfThreads) {
+  const Parallel three_threads(3);
   RoundSelection other(mesh_.connectivity, choices_);
-  for (RoundSelection* selection : {&selection_, &other}) {
-    selection->begin(share);
-    selection->pick();
+  selection_.begin(share, one_thread), other.begin(share, three_threads);
+  for (int picks = 0; picks < 3; ++picks) {
+    selection_.pick(one_thread), other.pick(three_threads);
+    EXPECT_EQ(pairs(other.edges()), pairs(selection_.edges()));
   }
-  const auto once = pairs(selection_.edges());
-  EXPECT_EQ(pairs(other.edges()), once);
-  selection_.begin(share);
-  selection_.pick();
-  EXPECT_EQ(pairs(selection_.edges()), once);
 }
 
-TEST_P(RoundSelectionOn, PicksTheCheapestOfAllFirst) {
+TEST_P(RoundSelectionOn, PicksInTheOrderOfTheOwners) {
+  selection_.begin(share, one_thread);
+  selection_.pick(one_thread);
+  const auto picked = pairs(selection_.edges());
+  EXPECT_TRUE(std::is_sorted(picked.begin(), picked.end()));
+}
+
+TEST_P(RoundSelectionOn, PicksTheCheapestOfAll) {
   int cheapest = 0;
   for (int v = 0; v < mesh_.connectivity.vertex_slots(); ++v)
     if (choices_.priority(v) < choices_.priority(cheapest)) cheapest = v;
-  selection_.begin(share);
-  selection_.pick();
-  EXPECT_EQ(selection_.edges().at(0).a, cheapest);
+  selection_.begin(share, one_thread);
+  selection_.pick(one_thread);
+  const auto picked = pairs(selection_.edges());
+  EXPECT_TRUE(std::binary_search(picked.begin(), picked.end(),
+                                 std::pair(cheapest, choices_.of(cheapest).partner)));
 }
 
 std::vector<NamedShape> meshes() {
   std::vector<NamedShape> all = all_meshes();
   all.push_back({"large_plane", plane_grid(40)});  // so many of one cost that they are not sorted
+  all.push_back({"many_blocks", plane_grid(120)});
   return all;
 }
 
@@ -151,7 +161,7 @@ TEST(RoundSelection, LooksAtACheapestShareOfTheChoices) {
       const WorkingMesh mesh = working_mesh(noisy_sphere(subdivisions, 0.01));
       const EdgeChoices choices = shortest_edges(mesh);
       RoundSelection selection(mesh.connectivity, choices);
-      selection.begin(part);
+      selection.begin(part, one_thread);
       int all = 0;
       for (int v = 0; v < mesh.connectivity.vertex_slots(); ++v) all += choices.exists(v);
       EXPECT_NEAR(selection.candidates(), part * all, 0.05 * all);
@@ -162,13 +172,13 @@ TEST(RoundSelection, PicksNothingWhereNothingIsChosen) {
   const WorkingMesh mesh = working_mesh(icosphere(2));
   EdgeChoices choices = shortest_edges(mesh);
   RoundSelection selection(mesh.connectivity, choices);
-  selection.begin(share);
-  selection.pick();
+  selection.begin(share, one_thread);
+  selection.pick(one_thread);
   ASSERT_FALSE(selection.edges().empty());
   choices = EdgeChoices(mesh.connectivity.vertex_slots());
-  selection.begin(share);
+  selection.begin(share, one_thread);
   EXPECT_EQ(selection.candidates(), 0);
-  selection.pick();
+  selection.pick(one_thread);
   EXPECT_TRUE(selection.edges().empty());
 }
 

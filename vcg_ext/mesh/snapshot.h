@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 #include <numeric>
 #include <tuple>
 #include <utility>
@@ -22,7 +23,7 @@ struct Snapshot {
   std::vector<int> vertex_of;   // by working vertex at the start: index in the vcg mesh
   std::vector<int> unusable;    // vcg faces left out, to be removed: an index twice, or a duplicate
   std::vector<int> left_alone;  // vcg faces left out that stay
-  std::vector<bool> selected;   // by working face at the start
+  std::vector<std::uint8_t> selected;  // by working face at the start: 1 if it is
   UnitBox box;
 };
 
@@ -130,23 +131,31 @@ class SnapshotReader {
     return keys;
   }
 
-  /// By their vertices, too. Of the faces with the same three vertices, the first stays.
+  /// By their vertices, too.
   void order_faces() {
-    const std::vector<FaceKey> keys = ordered_keys();
-    std::vector<Face> faces;
-    std::vector<int> face_of;
-    faces.reserve(keys.size()), face_of.reserve(keys.size());
-    for (std::size_t i = 0; i < keys.size(); ++i) {
-      const int f = keys[i].face;
-      if (i > 0 && keys[i].same_vertices(keys[i - 1])) {
-        snapshot_.unusable.push_back(face_of_[f]);
-        continue;
-      }
-      faces.push_back(faces_[f]);
-      face_of.push_back(face_of_[f]);
-    }
+    const std::vector<FaceKey> keys = keys_without_duplicates();
+    const int count = static_cast<int>(keys.size());
+    std::vector<Face> faces(count);
+    std::vector<int> face_of(count);
+    parallel_.for_each(count, [&](int i) {
+      faces[i] = faces_[keys[i].face];
+      face_of[i] = face_of_[keys[i].face];
+    });
     faces_.swap(faces);
     face_of_.swap(face_of);
+  }
+
+  /// Of the faces with the same three vertices, the first stays.
+  std::vector<FaceKey> keys_without_duplicates() {
+    std::vector<FaceKey> keys = ordered_keys();
+    std::size_t kept = 1;
+    for (std::size_t i = 1; i < keys.size(); ++i)
+      if (keys[i].same_vertices(keys[kept - 1]))
+        snapshot_.unusable.push_back(face_of_[keys[i].face]);
+      else
+        keys[kept++] = keys[i];
+    keys.resize(kept);
+    return keys;
   }
 
   void normalize() {
@@ -168,7 +177,9 @@ class SnapshotReader {
     parallel_.for_each(mesh.connectivity.face_slots(), [&](int f) { mesh.update_plane(f); });
     mesh.vertex_origin.resize(count);
     std::iota(mesh.vertex_origin.begin(), mesh.vertex_origin.end(), 0);
-    for (int f : face_of_) snapshot_.selected.push_back(mesh_.face[f].IsS());
+    snapshot_.selected.resize(face_of_.size());
+    parallel_.for_each(static_cast<int>(face_of_.size()),
+                       [&](int f) { snapshot_.selected[f] = mesh_.face[face_of_[f]].IsS(); });
     mesh.face_origin = std::move(face_of_);
   }
 

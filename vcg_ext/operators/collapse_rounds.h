@@ -49,7 +49,7 @@ class CollapseRounds {
     while (worth_while && is_large() && !stop_.reached(mesh_.connectivity)) {
       progress.set(stop_.progress(mesh_.connectivity));
       choose();
-      selection_.begin(share());
+      selection_.begin(share(), parallel_);
       worth_while = collapse_candidates(report);
       if (is_sparse()) compact();
     }
@@ -67,10 +67,10 @@ class CollapseRounds {
   static constexpr int least_share = 64;
 
   struct Pick {
-    Edge edge{};
-    bool ready = false;
+    Edge edge;
+    bool ready;
     GuardAnswer answer;
-    Candidate candidate{};
+    Candidate candidate;
     Removed removed;  // expected, then true
   };
 
@@ -107,17 +107,17 @@ class CollapseRounds {
 
   /// Their number.
   int pick() {
-    selection_.pick();
-    picks_.clear();
-    for (Edge edge : selection_.edges()) {
-      Pick& pick = picks_.emplace_back();
-      pick.edge = edge;
-      pick.removed = {mesh_.connectivity.edge_valence(edge.a, edge.b), 1};
-      mesh_.connectivity.make_room(edge.a, edge.b, pick.removed.faces);
-    }
-    const auto by_owner = [](const Pick& a, const Pick& b) { return a.edge.a < b.edge.a; };
-    std::sort(picks_.begin(), picks_.end(), by_owner);  // near in memory, near in time
-    return static_cast<int>(picks_.size());
+    selection_.pick(parallel_);
+    const std::vector<Edge>& edges = selection_.edges();
+    const int count = static_cast<int>(edges.size());
+    picks_.resize(count);
+    parallel_.for_each(count, [&](int i) {
+      const auto [a, b] = edges[i];
+      picks_[i] = {edges[i], false, {}, {}, {mesh_.connectivity.edge_valence(a, b), 1}};
+    });
+    for (const Pick& pick : picks_)
+      mesh_.connectivity.make_room(pick.edge.a, pick.edge.b, pick.removed.faces);
+    return count;
   }
 
   void collapse_picks(DecimationReport& report) {
