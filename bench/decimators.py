@@ -16,7 +16,6 @@ from surface import Floats, Ints
 from workers import PATIENCE, ask
 
 DEFAULT_PLUGIN = REPOSITORY / "build/plugins/pymeshlab-2025.07/libfilter_curvdecim.so"
-CELL_PARAMETER = "threshold"  # of MeshLab's clustering
 _WORKER = Path(__file__).with_name("filter_worker.py")
 
 Parameters = dict[str, Any]
@@ -40,12 +39,16 @@ _MESHLAB_DEFAULTS: Parameters = {
 
 @dataclass(frozen=True)
 class Decimator:
-    """A filter with its parameters, apart from the target."""
+    """A filter with its parameters, apart from the target.
+
+    cell_parameter: of a clustering that is asked for cells, and not for a number of faces.
+    """
 
     name: str
     filter: str
     plugin: Path | None = None
     parameters: Parameters = field(default_factory=dict)
+    cell_parameter: str | None = None
 
 
 @dataclass(frozen=True)
@@ -78,7 +81,20 @@ def meshlab(name: str = "MeshLab", **parameters: Any) -> Decimator:
 
 def meshlab_clustering(name: str = "MeshLab clustering") -> Decimator:
     """MeshLab's clustering; its one parameter, the cell, has to be found for a target."""
-    return Decimator(name, "meshing_decimation_clustering")
+    return Decimator(name, "meshing_decimation_clustering", cell_parameter="threshold")
+
+
+def curvdecim_clustering(
+    plugin: Path, name: str = "CurvDecim clustering", by_cell: bool = True, **parameters: Any
+) -> Decimator:
+    """Our clustering; by_cell: asked for cells, as the other clusterings are."""
+    return Decimator(
+        name,
+        "meshing_decimation_vertex_clustering",
+        plugin,
+        {"targetfacenum": 0} | parameters,
+        "cellsize" if by_cell else None,
+    )
 
 
 def race(
@@ -122,9 +138,9 @@ def apply(
 def find_cell(
     mesh: Path, target_faces: int, clustering: Decimator, patience: float = PATIENCE
 ) -> float:
-    """The cell of MeshLab's clustering for the target, as a fraction of the diagonal."""
+    """The cell of a clustering for the target, as a fraction of the diagonal."""
     job = _job(mesh, clustering, clustering.parameters)
-    job |= {"cell_for": target_faces, "cell_parameter": CELL_PARAMETER}
+    job |= {"cell_for": target_faces, "cell_parameter": clustering.cell_parameter}
     what = _what(mesh, target_faces, clustering)
     return ask([sys.executable, str(_WORKER)], job, what, patience)["cell"]
 

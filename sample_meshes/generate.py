@@ -107,6 +107,13 @@ def square_side(cells: int, origin: tuple, along: tuple, up: tuple) -> tuple[Flo
     return np.array(origin) + parameters @ np.array([along, up], dtype=float), faces
 
 
+def cube(cells: int) -> tuple[Floats, Ints]:
+    """The unit cube, each side of cells x cells squares."""
+    x, y, z, o = (1, 0, 0), (0, 1, 0), (0, 0, 1), (0, 0, 0)
+    spans = [(o, y, x), (z, x, y), (o, x, z), (y, z, x), (o, z, y), (x, y, z)]
+    return welded(*together(*(square_side(cells, *span) for span in spans)))
+
+
 # --- the meshes --------------------------------------------------------------------------------
 
 
@@ -137,9 +144,7 @@ def cylinder_capped() -> Mesh:
 
 
 def cube_dense() -> Mesh:
-    x, y, z, o = (1, 0, 0), (0, 1, 0), (0, 0, 1), (0, 0, 0)
-    spans = [(o, y, x), (z, x, y), (o, x, z), (y, z, x), (o, z, y), (x, y, z)]
-    return Mesh(*welded(*together(*(square_side(8, *span) for span in spans))))
+    return Mesh(*cube(8))
 
 
 def torus() -> Mesh:

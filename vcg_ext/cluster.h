@@ -85,6 +85,9 @@ CellBlend cell_blend(const MeshType& mesh, const FlatMesh& flat, const Clusterin
                      const ClusteringParams& params, const ClusteringWeights& weights,
                      const Parallel& parallel) {
   const auto& [clusters, representatives] = clustering;
+  const bool vary = has_varying_attributes(mesh, vertices_in_use(flat));
+  if (!vary && !vcg::tri::HasPerVertexNormal(mesh))
+    return CellBlend::of_vertices(representatives.vertex);
   switch (params.representative) {
     case Representative::Median: return CellBlend::of_vertices(representatives.vertex);
     case Representative::Mean: return CellBlend::of_members(clusters, {});
@@ -92,9 +95,8 @@ CellBlend cell_blend(const MeshType& mesh, const FlatMesh& flat, const Clusterin
     case Representative::Quadric:
     case Representative::CellCenter: break;
   }
-  return has_varying_attributes(mesh, vertices_in_use(flat))
-             ? CellBlend::of_surface(flat, clusters, representatives, parallel)
-             : CellBlend::of_members(clusters, {});
+  return vary ? CellBlend::of_surface(flat, clusters, representatives, parallel)
+              : CellBlend::of_members(clusters, {});
 }
 
 /// Faces to keep of those that may change; 0: the size of the cells rules.

@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any, Protocol
 
 from binary_mesh import read_binary
-from decimators import CELL_PARAMETER, Decimator, Outcome, apply, find_cell, run_once
+from decimators import Decimator, Outcome, apply, find_cell, run_once
 from meshes import REPOSITORY
 from workers import ask
 
@@ -114,7 +114,11 @@ class HostFilter:
     """A filter in PyMeshLab: ours, or one of MeshLab's."""
 
     decimator: Decimator
-    clusters: bool = False
+
+    @property
+    def clusters(self) -> bool:
+        """Whether it takes a cell instead of a target."""
+        return self.decimator.cell_parameter is not None
 
     def find_cell(self, goal: Goal) -> float:
         """Asks the worker to look for it."""
@@ -124,9 +128,11 @@ class HostFilter:
     def run(self, goal: Goal) -> Outcome:
         """Applies the filter."""
         mesh = goal.mesh.ply(goal.diagonal)
-        if self.clusters:
+        cell_parameter = self.decimator.cell_parameter
+        if cell_parameter is not None:
             assert goal.cell is not None
-            parameters = {CELL_PARAMETER: {"percentage": 100 * goal.cell}}
+            cell = {cell_parameter: {"percentage": 100 * goal.cell}}
+            parameters = self.decimator.parameters | cell
             outcome = apply(mesh, self.decimator, parameters, goal.what, goal.patience)
         else:
             outcome = run_once(mesh, goal.target, self.decimator, goal.patience)

@@ -6,6 +6,7 @@
 #include <vcg/complex/complex.h>
 
 #include "peer.h"
+#include "vcg_ext/cluster.h"
 #include "vcg_ext/decimate.h"
 
 namespace {
@@ -54,14 +55,26 @@ curvdecim::Preset preset_of(const std::string& name) {
   throw std::invalid_argument("CurvDecim: no preset " + name);
 }
 
-peer::Cost decimate(const std::string& policy, std::size_t target, peer::Mesh& mesh) {
+void collapse_edges(const std::string& preset, std::size_t target, BareMesh& mesh) {
   curvdecim::EdgeCollapseParams params;
-  params.preset = preset_of(policy);
+  params.preset = preset_of(preset);
   params.target_faces = static_cast<int>(target);
+  curvdecim::decimate_edge_collapse(mesh, params);
+}
+
+void cluster(std::size_t target, BareMesh& mesh) {
+  curvdecim::ClusteringParams params;
+  params.target_faces = static_cast<int>(target);
+  curvdecim::decimate_vertex_clustering(mesh, params);
+}
+
+peer::Cost decimate(const std::string& policy, std::size_t target, peer::Mesh& mesh) {
   BareMesh bare;
   build(mesh, bare);
   mesh = {};
-  const peer::Cost cost = peer::measure([&] { curvdecim::decimate_edge_collapse(bare, params); });
+  const peer::Cost cost = peer::measure([&] {
+    policy == "Clustering" ? cluster(target, bare) : collapse_edges(policy, target, bare);
+  });
   mesh = arrays_of(bare);
   return cost;
 }

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from fnmatch import fnmatchcase
 from pathlib import Path
 
-from decimators import curvdecim, meshlab, meshlab_clustering
+from decimators import curvdecim, curvdecim_clustering, meshlab, meshlab_clustering
 
 from peers.adapters import Adapter, HostFilter, Library, Program
 
@@ -79,6 +79,22 @@ def _ours(plugin: Path) -> list[Policy]:
             Policy(f"{CORE} {preset}", CORE, Program("curvdecim", preset), largest_faces=_ANY_SIZE)
             for preset in presets.values()
         ),
+        *_our_clustering(plugin),
+    ]
+
+
+def _our_clustering(plugin: Path) -> list[Policy]:
+    """By cells in the host; the core looks for the target itself, as simplifySloppy does."""
+    name = f"{OURS} clustering"
+    representatives = ("Quadric", "Mean", "WeightedMean", "Median", "CellCenter")
+    filters = (
+        curvdecim_clustering(plugin, f"{name} {each}", representative=each)
+        for each in representatives
+    )
+    core = Program("curvdecim", "Clustering")
+    return [
+        *(Policy(filter_.name, OURS, HostFilter(filter_)) for filter_ in filters),
+        Policy(f"{CORE} clustering", CORE, core, largest_faces=_ANY_SIZE),
     ]
 
 
@@ -92,7 +108,7 @@ def _meshlab() -> list[Policy]:
         policy(f"{BASELINE}, diagonal {_UNIT:g}", _UNIT),
         policy(f"{BASELINE}, planar", planarquadric=True),
         policy(f"{BASELINE}, all preserved", **safe),
-        Policy("MeshLab clustering", "MeshLab", HostFilter(meshlab_clustering(), clusters=True)),
+        Policy("MeshLab clustering", "MeshLab", HostFilter(meshlab_clustering())),
     ]
 
 

@@ -1,72 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tiny triangle soups on an integer grid, where degenerate is normal, with random parameters.
+// Edge collapse of tiny triangle soups, with random parameters.
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <ostream>
-#include <random>
 
 #include "support/decimation.h"
 #include "support/properties.h"
+#include "support/soups.h"
 
 namespace curvdecim::test {
 namespace {
-
-/// Any random choice of the tests: the same sequence on every machine, unlike <random>'s
-/// distributions.
-class Dice {
- public:
-  explicit Dice(unsigned seed) : engine_(seed) {}
-
-  int below(int end) { return static_cast<int>(engine_() % static_cast<unsigned>(end)); }
-  bool coin() { return below(2) == 1; }
-
-  template <class Value>
-  Value any(std::initializer_list<Value> values) {
-    return values.begin()[below(static_cast<int>(values.size()))];
-  }
-
- private:
-  std::mt19937 engine_;
-};
-
-Shape random_soup(Dice& dice) {
-  constexpr int side = 3;
-  Shape soup;
-  for (int x = 0; x < side; ++x)
-    for (int y = 0; y < side; ++y)
-      for (int z = 0; z < side; ++z) soup.vertices.push_back(Point(x, y, z));
-  const int vertices = 4 + dice.below(soup.vertex_count() - 3);
-  std::swap(soup.vertices[0], soup.vertices[dice.below(soup.vertex_count())]);
-  soup.vertices.resize(vertices);
-  for (int faces = 4 + dice.below(37); faces > 0; --faces)
-    soup.faces.push_back({dice.below(vertices), dice.below(vertices), dice.below(vertices)});
-  return soup;
-}
-
-/// A grid or a ball with a few faces missing, turned over, bent or given twice.
-Shape damaged_mesh(Dice& dice) {
-  constexpr int cells = 3;
-  Shape mesh;
-  for (int i = 0; i <= cells; ++i)
-    for (int j = 0; j <= cells; ++j) mesh.vertices.push_back(Point(i, j, dice.below(2)));
-  for (int i = 0; i < cells; ++i)
-    for (int j = 0; j < cells; ++j) {
-      const int v = i * (cells + 1) + j, w = v + cells + 1;
-      mesh.faces.push_back({v, w, w + 1});
-      mesh.faces.push_back({v, w + 1, v + 1});
-    }
-  for (int damage = 1 + dice.below(4); damage > 0; --damage) {
-    Corners& face = mesh.faces[dice.below(mesh.face_count())];
-    switch (dice.below(4)) {
-      case 0: face[dice.below(3)] = dice.below(mesh.vertex_count()); break;
-      case 1: std::swap(face[0], face[1]); break;
-      case 2: mesh.faces.erase(mesh.faces.begin() + dice.below(mesh.face_count())); break;
-      case 3: mesh.faces.push_back(face); break;
-    }
-  }
-  return mesh;
-}
 
 EdgeCollapseParams random_params(Dice& dice) {
   EdgeCollapseParams p;
@@ -128,13 +71,6 @@ void expect_no_worse_topology(const Shape& before, const Shape& after) {
   EXPECT_EQ(is.euler, was.euler);
 }
 
-struct Family {
-  const char* name;
-  Shape (*draw)(Dice&);
-};
-
-void PrintTo(const Family& family, std::ostream* out) { *out << family.name; }
-
 class Fuzz : public testing::TestWithParam<Family> {
  protected:
   static constexpr int cases = 2500;
@@ -174,12 +110,7 @@ TEST_P(Fuzz, IsSoundWithoutTheTopologyGuard) {
   });
 }
 
-std::string family_name(const testing::TestParamInfo<Family>& info) { return info.param.name; }
-
-INSTANTIATE_TEST_SUITE_P(Random, Fuzz,
-                         testing::Values(Family{"Soup", random_soup},
-                                         Family{"DamagedMesh", damaged_mesh}),
-                         family_name);
+INSTANTIATE_TEST_SUITE_P(Random, Fuzz, testing::ValuesIn(families()), family_name);
 
 }  // namespace
 }  // namespace curvdecim::test

@@ -4,16 +4,15 @@
 import numpy as np
 import pymeshlab
 import pytest
-from samples import load
+from samples import CLUSTER, load
 
-FILTER = "meshing_decimation_vertex_clustering"
 REPRESENTATIVES = ("Quadric", "Mean", "WeightedMean", "Median", "CellCenter")
 
 
 def clustered(**parameters):
     """The cow and what the filter returned."""
     meshes = load("cow.obj")
-    return meshes, getattr(meshes, FILTER)(**parameters)
+    return meshes, getattr(meshes, CLUSTER)(**parameters)
 
 
 @pytest.mark.parametrize("representative", REPRESENTATIVES)
@@ -41,7 +40,7 @@ def test_leaves_what_is_not_selected():
     corners = {tuple(np.sort(c, axis=0).ravel()) for c in before.vertex_matrix()[outside]}
     assert corners
     faces = before.face_number()
-    getattr(meshes, FILTER)(cellsize=pymeshlab.PercentageValue(4), selected=True)
+    getattr(meshes, CLUSTER)(cellsize=pymeshlab.PercentageValue(4), selected=True)
     after = meshes.current_mesh()
     kept = {tuple(np.sort(c, axis=0).ravel()) for c in after.vertex_matrix()[after.face_matrix()]}
     assert corners <= kept

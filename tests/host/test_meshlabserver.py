@@ -6,7 +6,7 @@ import pymeshlab
 import pytest
 from measures import flipped_faces, rms_distance, surface, topology
 from pymeshlab_curvdecim import filter_script
-from samples import DECIMATE, IMPORTANCE, load
+from samples import CLUSTER, DECIMATE, IMPORTANCE, load
 
 TARGET = 1160
 # Single precision moves a vertex by 6e-8 of its coordinates, and may change the order of collapses
@@ -53,6 +53,20 @@ def test_default_target_is_left_to_meshlab(meshlab, cow, tmp_path):
     run = meshlab.serve(cow, written(filter_script(DECIMATE), tmp_path), tmp_path / "out.ply")
     assert run.returncode == 0, run.stdout
     assert len(surface(read(tmp_path / "out.ply")).faces) == 2902
+
+
+@pytest.mark.parametrize("parameters", [{"targetfacenum": TARGET}, {"representative": "Median"}])
+def test_clustering_agrees_with_pymeshlab(meshlab, cow, tmp_path, parameters):
+    script = written(filter_script(CLUSTER, **parameters), tmp_path)
+    run = meshlab.serve(cow, script, tmp_path / "out.ply")
+    assert run.returncode == 0, run.stdout
+
+    ours = read(cow)
+    report = ours.apply_filter(CLUSTER, **parameters)
+    served = surface(read(tmp_path / "out.ply"))
+    assert f"\nfaces: {len(served.faces)}\n" in run.stdout
+    assert len(served.faces) == report["faces"] == ours.current_mesh().face_number()
+    assert rms_distance(surface(ours), served) < NEARLY_SAME
 
 
 def test_importance_agrees_with_pymeshlab(meshlab, cow, tmp_path):

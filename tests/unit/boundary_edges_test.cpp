@@ -28,7 +28,7 @@ class BoundaryEdgesOf : public testing::TestWithParam<NamedShape> {};
 
 TEST_P(BoundaryEdgesOf, AreThoseWithOneFace) {
   const Shape& shape = GetParam().shape;
-  const std::vector<BoundaryEdge> edges = boundary_edges(flat_mesh(shape));
+  const std::vector<BoundaryEdge> edges = boundary_edges(flat_mesh(shape), Parallel(1));
   EXPECT_EQ(static_cast<int>(edges.size()), count_boundary(shape));
   for (const BoundaryEdge& edge : edges) {
     const Corners& face = shape.faces[edge.face];
@@ -38,6 +38,23 @@ TEST_P(BoundaryEdgesOf, AreThoseWithOneFace) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Drawn, BoundaryEdgesOf, testing::ValuesIn(all_meshes()), name_of);
+
+TEST_P(BoundaryEdgesOf, DoNotDependOnTheOrientation) {
+  Shape shape = GetParam().shape;
+  for (std::size_t f = 0; f < shape.faces.size(); f += 3)
+    std::swap(shape.faces[f][0], shape.faces[f][1]);
+  EXPECT_EQ(static_cast<int>(boundary_edges(flat_mesh(shape), Parallel(1)).size()),
+            count_boundary(shape));
+}
+
+TEST(IsClosed, SaysWhetherEveryEdgeIsRunThroughBothWays) {
+  const Parallel three_threads(3);
+  EXPECT_TRUE(is_closed(flat_mesh(torus(40, 30)), three_threads));
+  EXPECT_FALSE(is_closed(flat_mesh(plane_grid(30)), three_threads));
+  Shape turned = torus(40, 30);
+  std::swap(turned.faces[7][0], turned.faces[7][1]);
+  EXPECT_FALSE(is_closed(flat_mesh(turned), three_threads));
+}
 
 TEST(OpenVertices, OfAClosedMeshAreNone) {
   const std::vector<bool> open = open_vertices(flat_mesh(torus(12, 8)));

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <vector>
 
@@ -17,20 +18,39 @@ struct BoundaryEdge {
   int face;
 };
 
+/// Words for the corners of a face, of which no sum vanishes by chance: also sums of neighbours
+/// that are numbered in a row.
+inline std::array<std::uint64_t, 3> scrambled(const Face& face) {
+  const auto word = [](int v) { return mixed(std::uint64_t(v) + 1); };
+  return {word(face[0]), word(face[1]), word(face[2])};
+}
+
+/// Whether every edge has as many faces on one side as on the other, as far as orientation tells:
+/// then none has a single face. An edge run through one way and back adds up to 0.
+inline bool is_closed(const FlatMesh& mesh, const Parallel& parallel) {
+  std::atomic<std::uint64_t> sum{0};
+  parallel.for_ranges(static_cast<int>(mesh.faces.size()), [&](int begin, int end, int) {
+    std::uint64_t part = 0;
+    for (int f = begin; f < end; ++f) {
+      if (!FlatMesh::is_face(mesh.faces[f])) continue;
+      const auto [a, b, c] = scrambled(mesh.faces[f]);
+      part += a * (b * b - c * c) + b * (c * c - a * a) + c * (a * a - b * b);
+    }
+    sum += part;
+  });
+  return sum == 0;
+}
+
 /// By vertex: whether its faces, as far as their orientation tells, do not close around it. Around
 /// a vertex whose faces do, each neighbour comes once as the next corner and once as the one
-/// before, so that their signed sum is 0; for others it is not, unless many neighbours conspire.
+/// before, so that their signed sum is 0.
 inline std::vector<bool> open_vertices(const FlatMesh& mesh) {
-  // A square, and a multiple with bits all over the word: both would have to add up by chance.
-  constexpr std::uint64_t golden = 0x9e3779b97f4a7c15;  // 2^64 over the golden ratio
-  const auto scrambled = [](int v) { return std::uint64_t(v) * (std::uint64_t(v) + golden); };
   std::vector<std::uint64_t> next_minus_previous(mesh.position.size(), 0);
   for (const Face& face : mesh.faces) {
-    if (face == FlatMesh::no_face) continue;
-    const std::array<std::uint64_t, 3> number = {scrambled(face[0]), scrambled(face[1]),
-                                                 scrambled(face[2])};
+    if (!FlatMesh::is_face(face)) continue;
+    const std::array<std::uint64_t, 3> word = scrambled(face);
     for (int i = 0; i < 3; ++i)
-      next_minus_previous[face[i]] += number[(i + 1) % 3] - number[(i + 2) % 3];
+      next_minus_previous[face[i]] += word[(i + 1) % 3] - word[(i + 2) % 3];
   }
   std::vector<bool> open(mesh.position.size());
   for (std::size_t v = 0; v < open.size(); ++v) open[v] = next_minus_previous[v] != 0;
@@ -38,14 +58,15 @@ inline std::vector<bool> open_vertices(const FlatMesh& mesh) {
 }
 
 /// In the order of their faces.
-inline std::vector<BoundaryEdge> boundary_edges(const FlatMesh& mesh) {
+inline std::vector<BoundaryEdge> boundary_edges(const FlatMesh& mesh, const Parallel& parallel) {
+  if (is_closed(mesh, parallel)) return {};
   const std::vector<bool> open = open_vertices(mesh);
   FirstSeen<std::array<int, 2>> seen;
   std::vector<BoundaryEdge> first;  // by number
   std::vector<int> uses;
   for (int f = 0; f < static_cast<int>(mesh.faces.size()); ++f) {
     const Face& face = mesh.faces[f];
-    for (int i = 0; i < 3 && face != FlatMesh::no_face; ++i) {
+    for (int i = 0; i < 3 && FlatMesh::is_face(face); ++i) {
       const int a = face[i], b = face[(i + 1) % 3];
       if (!open[a] || !open[b] || a == b) continue;
       const int number = seen.number({std::min(a, b), std::max(a, b)});

@@ -39,7 +39,7 @@ inline Groups vertices_by_cell(const Clusters& clusters) {
 /// The faces with a corner in a cell.
 inline Groups faces_by_cell(const FlatMesh& mesh, const Clusters& clusters) {
   return Groups(clusters.cells(), static_cast<int>(mesh.faces.size()), [&](int f, auto take) {
-    if (mesh.faces[f] == FlatMesh::no_face) return;
+    if (!FlatMesh::is_face(mesh.faces[f])) return;
     const auto [a, b, c] = clusters.cells_of(mesh.faces[f]);
     take(a);
     if (b != a) take(b);

@@ -27,7 +27,8 @@ class CellQuadrics {
         sum_over<Quadric>(static_cast<int>(mesh_.faces.size()), clusters_.cells(), parallel,
                           [&](CellSums<Quadric>& into, int f) { add_face(into, mesh_.faces[f]); });
     if (boundary_weight > 0.0)
-      for (const BoundaryEdge& edge : boundary_edges(mesh_)) add_edge(sums, edge, boundary_weight);
+      for (const BoundaryEdge& edge : boundary_edges(mesh_, parallel))
+        add_edge(sums, edge, boundary_weight);
     return sums;
   }
 
@@ -36,7 +37,7 @@ class CellQuadrics {
 
  private:
   void add_face(CellSums<Quadric>& sums, const Face& face) const {
-    if (face == FlatMesh::no_face) return;
+    if (!FlatMesh::is_face(face)) return;
     const FacePlane plane = face_plane(mesh_.triangle(face));
     if (!(plane.area > 0.0)) return;
     const auto [a, b, c] = clusters_.cells_of(face);

@@ -29,7 +29,7 @@ class CellSearch {
         largest_(std::log(CellGrid::largest_diameter(mesh.half_size))) {
     const int count = static_cast<int>(mesh.faces.size()), step = count / most_samples + 1;
     for (int f = 0; f < count; f += step)
-      if (mesh.faces[f] != FlatMesh::no_face) sample_.push_back(mesh.faces[f]);
+      if (FlatMesh::is_face(mesh.faces[f])) sample_.push_back(mesh.faces[f]);
   }
 
   /// The clusters whose number of faces is nearest to the target, of those tried; nullopt: all have

@@ -49,7 +49,7 @@ class CellTexture {
 
  private:
   int faces() const { return static_cast<int>(mesh_.faces.size()); }
-  bool exists(int f) const { return mesh_.faces[f] != FlatMesh::no_face; }
+  bool exists(int f) const { return FlatMesh::is_face(mesh_.faces[f]); }
 
   static std::uint64_t bits(double number) {
     std::uint64_t result;

@@ -154,7 +154,7 @@ inline void collect_faces(const FlatMesh& mesh, Clusters& clusters, const Parall
   std::vector<CellFaceSet> sets(pieces);
   for_pieces(count, pieces, parallel, [&](int piece, int begin, int end) {
     for (int f = begin; f < end; ++f) {
-      if (mesh.faces[f] == FlatMesh::no_face) continue;
+      if (!FlatMesh::is_face(mesh.faces[f])) continue;
       const Face cells = clusters.cells_of(mesh.faces[f]);
       if (!is_degenerate(cells)) sets[piece].add(cells, f);
     }

@@ -112,7 +112,7 @@ class ClusterWriteBack {
       connect_face(face);
     }
     for (std::size_t f = 0; f < left.size(); ++f)
-      if (!left[f] && flat_.faces[f] != FlatMesh::no_face)
+      if (!left[f] && FlatMesh::is_face(flat_.faces[f]))
         vcg::tri::Allocator<MeshType>::DeleteFace(mesh_, mesh_.face[f]);
   }
 

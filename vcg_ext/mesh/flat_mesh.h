@@ -34,6 +34,8 @@ struct FlatMesh {
   UnitBox box;                    // of the vertices in use
   Vector3 half_size;              // of their bounding box, in the unit box
 
+  static bool is_face(const Face& face) { return face[0] >= 0; }
+
   Triangle triangle(const Face& face) const {
     return {position[face[0]], position[face[1]], position[face[2]]};
   }

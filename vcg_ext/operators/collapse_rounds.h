@@ -67,10 +67,10 @@ class CollapseRounds {
   static constexpr int least_share = 64;
 
   struct Pick {
-    Edge edge;
-    bool ready;
+    Edge edge{};
+    bool ready = false;
     GuardAnswer answer;
-    Candidate candidate;
+    Candidate candidate{};
     Removed removed;  // expected, then true
   };
 
@@ -112,8 +112,9 @@ class CollapseRounds {
     const int count = static_cast<int>(edges.size());
     picks_.resize(count);
     parallel_.for_each(count, [&](int i) {
-      const auto [a, b] = edges[i];
-      picks_[i] = {edges[i], false, {}, {}, {mesh_.connectivity.edge_valence(a, b), 1}};
+      Pick& pick = picks_[i];
+      pick.edge = edges[i], pick.ready = false, pick.answer = {};
+      pick.removed = {mesh_.connectivity.edge_valence(pick.edge.a, pick.edge.b), 1};
     });
     for (const Pick& pick : picks_)
       mesh_.connectivity.make_room(pick.edge.a, pick.edge.b, pick.removed.faces);
