@@ -118,7 +118,7 @@ enum class RemovalCriterion {
 struct VertexRemovalParams : DecimationParams {
   RemovalCriterion criterion = RemovalCriterion::Heap;
   double distance_bound = 0.0;     ///< >= 0, length: on the sum of distances at a vertex; 0: none
-  double aspect_ratio_min = 0.04;  ///< [0, 0.5]: of the lines that split a loop
+  double aspect_ratio_min = 0.01;  ///< [0, 0.5]: of the lines that split a loop
   bool preserve_features = false;  ///< nothing leaves a sharp edge, and corners stay
 };
 

@@ -24,7 +24,7 @@ namespace curvdecim {
 ///              remove it, tell observers, estimate its neighbours
 ///   Passes:  while the target is not reached:
 ///              remove in turn every vertex within the threshold
-///              raise the threshold to the least distance above it, or to its double
+///              none went? raise the threshold to the least distance above it, or to its double
 class VertexRemoval {
  public:
   VertexRemoval(WorkingMesh& mesh, VertexRemover& remover, const VertexRemovalParams& params,
@@ -126,9 +126,9 @@ class VertexRemoval {
       const int before = mesh_.connectivity.face_count();
       const double next = pass(threshold);
       if (stop_.reached(mesh_.connectivity)) return StopReason::Target;
-      const bool none_above = next == std::numeric_limits<double>::infinity();
-      if (none_above && mesh_.connectivity.face_count() == before) return StopReason::NothingLeft;
-      if (!none_above) threshold = std::max(next, raise * threshold);
+      if (mesh_.connectivity.face_count() < before) continue;  // others may be free now
+      if (next == std::numeric_limits<double>::infinity()) return StopReason::NothingLeft;
+      threshold = std::max(next, raise * threshold);
     }
   }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -65,7 +66,8 @@ class VertexRemover {
     return class_of(mesh_.kind[v], oriented, lines_.edges_at(v));
   }
 
-  /// By the distance to the average plane, or to the line through v. nullopt: v stays.
+  /// By the distance to the average plane, to the nearest line between two neighbours where that is
+  /// less, as on a straight ridge, or to the boundary or feature line through v. nullopt: v stays.
   std::optional<Estimate> estimate(int v, VertexFan& fan) const {
     if (mesh_.locked[v] || is_hub(v)) return std::nullopt;
     const VertexClass is = class_of(mesh_.kind[v], true, lines_.edges_at(v));
@@ -73,16 +75,17 @@ class VertexRemover {
     AveragePlane plane;
     for (int f : mesh_.connectivity.faces_of(v))
       plane.add(mesh_.triangle(f), mesh_.plane[f].area_vector(), mesh_.plane[f].area);
-    double distance = plane.distance(mesh_.position[v]), line2 = plane.area();
-    if (const bool inside = mesh_.kind[v] == VertexKind::Interior;
-        is == VertexClass::InteriorEdge || !inside) {
+    const bool inside = mesh_.kind[v] == VertexKind::Interior;
+    double distance = 0.0;
+    if (inside && is != VertexClass::InteriorEdge) {
+      distance = std::min(plane.distance(mesh_.position[v]), distance_to_chords(v));
+    } else {
       if (!inside && !fan.gather(mesh_.connectivity, v)) return std::nullopt;
-      const Line line = line_at(v, fan);
-      distance = line_weight(v) * line.distance, line2 = line.length2;
+      distance = line_weight(v) * line_at(v, fan).distance;
     }
-    distance = significant(distance, line2);
-    return Estimate{importance(v) * (error_[v] + distance),
-                    {importance(v) * (spent_[v] + distance * distance * plane.area()), line2}};
+    distance = significant(distance, plane.area());
+    const double cost = spent_[v] + distance * distance * plane.area();
+    return Estimate{importance(v) * (error_[v] + distance), {importance(v) * cost, plane.area()}};
   }
 
   /// Leaves the new faces in the scratch.
@@ -131,8 +134,8 @@ class VertexRemover {
   /// The new edge that a vertex on a line leaves.
   struct Line {
     int from, to;
-    Vector3 foot;              // of the vertex
-    double distance, length2;  // of the vertex from its foot; of the edge, squared
+    Vector3 foot;     // of the vertex
+    double distance;  // of the vertex from its foot
   };
 
   bool is_hub(int v) const { return mesh_.connectivity.faces_of(v).size() > VertexFan::longest; }
@@ -141,6 +144,21 @@ class VertexRemover {
   bool stays(int v, VertexClass is) const {
     const int held = lines_.held_edges_at(v);
     return is == VertexClass::Complex || held == 1 || (held > 0 && is == VertexClass::Corner);
+  }
+
+  /// Of a vertex inside: to the nearest line between two neighbours that it lies between.
+  double distance_to_chords(int v) const {
+    std::array<Vector3, VertexFan::longest> to;
+    double least2 = HUGE_VAL;
+    int count = 0;
+    for (int f : mesh_.connectivity.faces_of(v)) {
+      const Vector3 a = mesh_.position[mesh_.connectivity.next_vertex(f, v)] - mesh_.position[v];
+      for (int i = 0; i < count; ++i)
+        if (a.dot(to[i]) < 0.0)
+          least2 = std::min(least2, a.cross(to[i]).squaredNorm() / (a - to[i]).squaredNorm());
+      to[count++] = a;
+    }
+    return std::sqrt(least2);
   }
 
   /// What a distance to a boundary or feature line counts.
@@ -159,8 +177,7 @@ class VertexRemover {
     else
       line.from = lines_.ends_at(v)[0], line.to = lines_.ends_at(v)[1];
     const Vector3 &a = mesh_.position[line.from], along = mesh_.position[line.to] - a;
-    line.length2 = along.squaredNorm();
-    const double t = along.dot(mesh_.position[v] - a) / line.length2;
+    const double t = along.dot(mesh_.position[v] - a) / along.squaredNorm();
     line.foot = a + (t > from_end ? std::min(t, 1.0 - from_end) : from_end) * along;
     line.distance = (mesh_.position[v] - line.foot).norm();
     return line;
@@ -210,7 +227,7 @@ class VertexRemover {
     if (params_.max_error > 0.0 && filled.error > params_.max_error) return {Rejection::ErrorBound};
     double area = 0.0;
     for (int f : mesh_.connectivity.faces_of(v)) area += mesh_.plane[f].area;
-    const double distance = filled.step + line_weight(v) * slide;
+    const double distance = filled.step + line_weight(v) * significant(slide, area);
     return {std::nullopt, spent_[v] + distance * distance * area, filled.error};
   }
 
