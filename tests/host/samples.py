@@ -14,6 +14,7 @@ SHIPPED = Path(pymeshlab.__file__).parent / "tests" / "sample_meshes"
 MORE = Path(os.environ.get("CURVDECIM_MESHES", ROOT.parent / "shared" / "meshes"))
 
 DECIMATE = "meshing_decimation_curvature_edge_collapse"
+REMOVE = "meshing_decimation_vertex_removal"
 IMPORTANCE = "compute_scalar_by_curvature_importance"
 
 

@@ -108,8 +108,7 @@ class LoopTriangulation {
     return v.size() == 3 && mesh_.connectivity.find_face(v[0], v[1], v[2]) >= 0;
   }
 
-  // --- seen along one direction
-  // -------------------------------------------------------------------
+  // --- seen along one direction -----------------------------------------------------------------
 
   /// Into a frame at the apex with z along the direction.
   void flatten() {
@@ -158,8 +157,7 @@ class LoopTriangulation {
     return turns == part_->closed;
   }
 
-  // --- split lines
-  // --------------------------------------------------------------------------------
+  // --- split lines ------------------------------------------------------------------------------
 
   template <class Accept>
   bool triangulate(const Ring& ring, Accept& accept) {
@@ -217,8 +215,7 @@ class LoopTriangulation {
     return least / std::sqrt((line.x() * line.x() + line.y() * line.y()) * line.squaredNorm());
   }
 
-  // --- distance to the old faces
-  // ------------------------------------------------------------------
+  // --- distance to the old faces ----------------------------------------------------------------
 
   /// Of the new edge between two corners, where it crosses the old edges from the apex: those to
   /// the corners on its other side.

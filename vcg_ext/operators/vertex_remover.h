@@ -58,8 +58,7 @@ class VertexRemover {
 
   void add_observer(RemovalObserver& observer) { observers_.push_back(&observer); }
 
-  // --- candidates
-  // ---------------------------------------------------------------------------------
+  // --- candidates -------------------------------------------------------------------------------
 
   VertexClass class_at(int v, VertexFan& fan) const {
     const bool oriented = is_hub(v) || fan.gather(mesh_.connectivity, v);
@@ -105,8 +104,7 @@ class VertexRemover {
 
   double importance(int v) const { return mesh_.importance.empty() ? 1.0 : mesh_.importance[v]; }
 
-  // --- removal
-  // ------------------------------------------------------------------------------------
+  // --- removal ----------------------------------------------------------------------------------
 
   /// Of the vertex evaluated last. Its neighbours take over what it was off.
   Removed remove(const RemovalAnswer& answer, const Scratch& scratch) {
