@@ -163,17 +163,6 @@ def test_has_the_parameters_that_mean_something_to_it():
     assert "preservetopology" not in names
 
 
-@pytest.mark.parametrize(
-    ("name", "value"), [("aspectratiomin", 0.6), ("aspectratiomin", -0.1), ("targetvertnum", -1)]
-)
-def test_bad_parameter_is_refused(name, value):
-    meshes = mesh_set(*bumpy_sheet())
-    faces = meshes.current_mesh().face_number()
-    with pytest.raises(pymeshlab.PyMeshLabException, match="(?i)" + name):
-        meshes.apply_filter(REMOVE, **{name: value})
-    assert meshes.current_mesh().face_number() == faces
-
-
 @pytest.mark.parametrize("threads", [1, 2, 3])
 def test_threads_do_not_change_the_result(threads):
     one, other = (left(targetperc=0.1, threads=each) for each in (0, threads))
