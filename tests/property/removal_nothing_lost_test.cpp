@@ -66,6 +66,7 @@ TEST_P(RemovalWith, EveryVertexThatStaysKeepsAllThatItCarries) {
     for (const std::string& vertex : vertices_of(mesh)) ASSERT_EQ(before.count(vertex), 1u);
     for (std::size_t v = 0; v < mesh.vert.size(); ++v)
       ASSERT_EQ(custom[v], static_cast<int>(mesh.vert[v].cQ()));
+    vcg::tri::Allocator<RichMesh>::DeletePerVertexAttribute(mesh, custom);
   }
 }
 
