@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filter_curvdecim/decimation_task.h"
 
+#include <initializer_list>
+
 #include "filter_curvdecim/filter_parameters.h"
 
 namespace curvdecim {
@@ -24,7 +26,15 @@ Outcome counts_of(const DecimationReport& report) {
            {"vertices", report.vertices},
            {"stopped_by", report.stopped_by}},
           report.notes,
-          false};
+          report.faces != report.faces_before || report.vertices != report.vertices_before};
+}
+
+void add_rejections(const DecimationReport& report, std::initializer_list<Rejection> reasons,
+                    Outcome& outcome) {
+  for (Rejection reason : reasons) {
+    const auto i = static_cast<std::size_t>(reason);
+    outcome.results.push_back({std::string("rejected_") + rejection_names[i], report.rejected[i]});
+  }
 }
 
 }  // namespace
@@ -33,13 +43,35 @@ Outcome outcome_of(const DecimationReport& report, const DecimationParams& param
   Outcome outcome = counts_of(report);
   if (params.max_error > 0.0) outcome.results.push_back({"max_error", report.max_error});
   outcome.results.push_back({"cost_last", report.cost_last});
-  for (std::size_t reason = 0; reason < rejection_names.size(); ++reason)
-    outcome.results.push_back(
-        {std::string("rejected_") + rejection_names[reason], report.rejected[reason]});
+  add_rejections(report,
+                 {Rejection::LinkCondition, Rejection::NormalFlip, Rejection::TriangleShape,
+                  Rejection::ErrorBound, Rejection::HubAtRest},
+                 outcome);
   outcome.results.push_back({"seconds", report.seconds});
-  outcome.mesh_changed =
-      report.faces != report.faces_before || report.vertices != report.vertices_before;
   return outcome;
+}
+
+Outcome outcome_of_removal(const DecimationReport& report) {
+  Outcome outcome = counts_of(report);
+  outcome.results.push_back({"max_error", report.max_error});
+  outcome.results.push_back({"cost_last", report.cost_last});
+  add_rejections(report,
+                 {Rejection::VertexClass, Rejection::LoopSplit, Rejection::LinkCondition,
+                  Rejection::NormalFlip, Rejection::TriangleShape, Rejection::ErrorBound},
+                 outcome);
+  outcome.results.push_back({"seconds", report.seconds});
+  return outcome;
+}
+
+vcg::Color4b color_of(VertexClass vertex_class) {
+  switch (vertex_class) {
+    case VertexClass::Simple: return {200, 200, 200, 255};
+    case VertexClass::Complex: return {220, 50, 47, 255};
+    case VertexClass::Boundary: return {38, 139, 210, 255};
+    case VertexClass::InteriorEdge: return {133, 153, 0, 255};
+    case VertexClass::Corner: return {203, 75, 22, 255};
+  }
+  return {0, 0, 0, 255};
 }
 
 Outcome outcome_of(const ClusteringReport& report) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <string>
@@ -12,8 +13,10 @@
 #include <vcg/complex/algorithms/update/color.h>
 #include <vcg/complex/complex.h>
 
+#include "filter_curvdecim/filter_parameters.h"
 #include "vcg_ext/cluster.h"
 #include "vcg_ext/decimate.h"
+#include "vcg_ext/remove_vertices.h"
 
 namespace curvdecim {
 
@@ -35,6 +38,10 @@ std::string log_line(const Result& result);
 
 Outcome outcome_of(const DecimationReport& report, const DecimationParams& params);
 Outcome outcome_of(const ClusteringReport& report);
+Outcome outcome_of_removal(const DecimationReport& report);
+
+/// Of a class of vertices, where it is shown.
+vcg::Color4b color_of(VertexClass vertex_class);
 
 /// The value below which a fraction of them lies; there must be one.
 double percentile(const std::vector<double>& sorted, double fraction);
@@ -49,6 +56,32 @@ template <class MeshType>
 Outcome decimate_by_clustering(MeshType& mesh, const ClusteringParams& params,
                                const Progress& progress) {
   return outcome_of(decimate_vertex_clustering(mesh, params, progress));
+}
+
+/// Writes the class of every vertex of a face to its quality, by number, and to its colour; adds
+/// the counts to the results.
+template <class MeshType>
+void show_classes(MeshType& mesh, const VertexRemovalParams& params, Outcome& outcome) {
+  const auto classes = vertex_classes(mesh, params);
+  std::array<std::int64_t, vertex_class_names.size()> counts{};
+  for (std::size_t v = 0; v < classes.size(); ++v) {
+    if (!classes[v]) continue;
+    ++counts[static_cast<std::size_t>(*classes[v])];
+    mesh.vert[v].Q() = static_cast<typename MeshType::ScalarType>(*classes[v]);
+    mesh.vert[v].C() = color_of(*classes[v]);
+  }
+  for (std::size_t i = 0; i < counts.size(); ++i)
+    outcome.results.push_back({std::string("vertices_") + vertex_class_names[i], counts[i]});
+}
+
+template <class MeshType>
+Outcome decimate_by_removal(MeshType& mesh, const VertexRemovalTask& task,
+                            const Progress& progress) {
+  const DecimationReport report = decimate_vertex_removal(mesh, task, progress);
+  Outcome outcome = outcome_of_removal(report);
+  if (task.show_classes && report.stopped_by != StopReason::Cancelled)
+    show_classes(mesh, task, outcome);
+  return outcome;
 }
 
 /// The qualities of the vertices that faces use, ascending.

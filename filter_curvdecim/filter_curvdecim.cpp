@@ -42,6 +42,14 @@ Outcome run_edge_collapse(MeshModel& mesh, const Settings& settings, const Progr
   return outcome;
 }
 
+Outcome run_removal(MeshModel& mesh, const Settings& settings, const Progress& progress) {
+  const Outcome outcome = decimate_by_removal(mesh.cm, settings.vertex_removal, progress);
+  if (outcome.mesh_changed) refresh(mesh);
+  if (settings.vertex_removal.show_classes)
+    mesh.updateDataMask(MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR);
+  return outcome;
+}
+
 Outcome run_clustering(MeshModel& mesh, const Settings& settings, const Progress& progress) {
   const Outcome outcome = decimate_by_clustering(mesh.cm, settings.clustering, progress);
   if (outcome.mesh_changed) refresh(mesh);
@@ -75,6 +83,10 @@ const std::vector<Filter>& filters() {
   static const std::vector<Filter> rows = {
       filter(FilterId::CurvatureEdgeCollapse, MeshModel::MM_FACENUMBER,
              MeshModel::MM_GEOMETRY_AND_TOPOLOGY_CHANGE, run_edge_collapse),
+      filter(FilterId::VertexRemoval, MeshModel::MM_FACENUMBER,
+             MeshModel::MM_GEOMETRY_AND_TOPOLOGY_CHANGE | MeshModel::MM_VERTQUALITY |
+                 MeshModel::MM_VERTCOLOR,
+             run_removal),
       filter(FilterId::VertexClustering, MeshModel::MM_FACENUMBER,
              MeshModel::MM_GEOMETRY_AND_TOPOLOGY_CHANGE, run_clustering),
       filter(FilterId::CurvatureImportance, MeshModel::MM_FACENUMBER,

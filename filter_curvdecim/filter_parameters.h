@@ -12,9 +12,15 @@
 
 namespace curvdecim {
 
-/// The core's parameters of every filter.
+/// Vertex removal, and what it shows.
+struct VertexRemovalTask : VertexRemovalParams {
+  bool show_classes = false;  ///< writes the classes of the vertices to their quality and colour
+};
+
+/// The parameters of every filter.
 struct Settings {
   EdgeCollapseParams edge_collapse;
+  VertexRemovalTask vertex_removal;
   ClusteringParams clustering;
   ImportanceParams importance;
 };

@@ -34,6 +34,9 @@ constexpr Reference lindstrom = {"P. Lindstrom", "Out-of-core simplification of 
 constexpr Reference ciolczyk_janczykowski = {"M. Ciolczyk, M. Janczykowski",
                                              "Mesh simplification: vertex clustering", "slides"};
 
+constexpr Reference schroeder = {"W. J. Schroeder, J. A. Zarge, W. E. Lorensen",
+                                 "Decimation of triangle meshes", "SIGGRAPH 1992"};
+
 /// The list of references as MeshLab asks for it: authors, title, source. The dialog of MeshLab
 /// 2020.09 does not scroll and would be too high for a screen, so each takes one line.
 std::string bibliography(std::initializer_list<Reference> references) {
@@ -48,6 +51,12 @@ const char* const edge_collapse_info =
     "Collapse edges, cheapest first, and spend the faces that remain where the surface is curved. "
     "A closed manifold stays one; borders and sharp edges are kept. <i>Curvature Importance</i> "
     "shows what a setting protects. The log says what was done.";
+
+const char* const removal_info =
+    "Remove vertices one by one, those nearest to the surface that is left first, and fill the "
+    "holes with triangles. The vertices that stay are vertices of the input and keep all that they "
+    "carry, to the bit. A manifold stays one. Edge collapse moves vertices and has a lower error. "
+    "The log says what was done.";
 
 const char* const clustering_info =
     "Put a grid over the mesh and make one vertex of all in a cell: the fastest way to a coarse "
@@ -73,6 +82,9 @@ const std::vector<FilterText>& filter_texts() {
        "meshing_decimation_curvature_edge_collapse", Category::Remeshing,
        edge_collapse_info +
            bibliography({garland_heckbert, lindstrom_turk, pellizzoni_savio, yao})},
+      {FilterId::VertexRemoval, "Simplification: Vertex Removal (Schroeder)",
+       "meshing_decimation_vertex_removal", Category::Remeshing,
+       removal_info + bibliography({schroeder})},
       {FilterId::VertexClustering, "Simplification: Vertex Clustering with Representatives",
        "meshing_decimation_vertex_clustering", Category::Remeshing,
        clustering_info + bibliography({rossignac_borrel, lindstrom, ciolczyk_janczykowski})},

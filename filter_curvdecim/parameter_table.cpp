@@ -38,6 +38,11 @@ Binding edge_collapse(MeshDefault mesh_default = MeshDefault::None) {
 }
 
 template <auto member>
+Binding removal(MeshDefault mesh_default = MeshDefault::None) {
+  return bind<&Settings::vertex_removal, member>(FilterId::VertexRemoval, mesh_default);
+}
+
+template <auto member>
 Binding clustering(MeshDefault mesh_default = MeshDefault::None) {
   return bind<&Settings::clustering, member>(FilterId::VertexClustering, mesh_default);
 }
@@ -48,16 +53,17 @@ Binding meaning(Binding binding, const char* help, const char* hint) {
   return binding;
 }
 
-/// Every filter that decimates edge by edge.
+/// Every filter that decimates step by step.
 template <auto member>
 std::vector<Binding> decimation() {
-  return {edge_collapse<member>()};
+  return {edge_collapse<member>(), removal<member>()};
 }
 
 /// Every filter that decimates; in_clusters: the member of ClusteringParams.
 template <auto member, auto in_clusters>
 std::vector<Binding> every_decimation(MeshDefault mesh_default = MeshDefault::None) {
-  return {edge_collapse<member>(mesh_default), clustering<in_clusters>(mesh_default)};
+  return {edge_collapse<member>(mesh_default), removal<member>(mesh_default),
+          clustering<in_clusters>(mesh_default)};
 }
 
 /// Every filter that weighs by curvature.
@@ -79,10 +85,11 @@ std::vector<Parameter> target_rows() {
        {}, {clustering<&ClusteringParams::cell_size>(MeshDefault::PercentOfDiagonal)}},
       {"TargetFaceNum", "Target number of faces", Kind::Int, at_least(0), "faces",
        "Stop at this many faces; with <i>Simplify only selected faces</i>, at this many selected "
-       "faces. A last collapse removes two faces at once, so the result may have one face less. "
+       "faces. A last step removes two faces at once, so the result may have one face less. "
        "0: as few as the other parameters allow, for example up to <i>Maximum error</i>.",
        "Stop at this many faces (selected faces, if only those may change).",
        {}, {edge_collapse<&DecimationParams::target_faces>(MeshDefault::HalfOfFaces),
+            removal<&DecimationParams::target_faces>(MeshDefault::HalfOfFaces),
             meaning(clustering<&ClusteringParams::target_faces>(),
                     "Instead of <i>Size of a cell</i>: the size is looked for at which this many "
                     "faces are left, of the selected ones with <i>Simplify only selected faces</i>. "
@@ -107,6 +114,14 @@ std::vector<Parameter> target_rows() {
        "box's diagonal. Together with a target, whichever comes first stops. 0: no bound.",
        "No point of either surface is further than this from the other.",
        {}, decimation<&DecimationParams::max_error>()},
+      {"DistanceBound", "Bound on accumulated distances (0: none)", Kind::Length, at_least(0),
+       "in the mesh's unit",
+       "The distances between old and new faces add up at the vertices around. A vertex stays whose "
+       "removal would bring the sum above this. No point of the result is then further from the "
+       "original surface, nor the other way round: the same promise as <i>Maximum error</i>, the "
+       "smaller of both counts.",
+       "No sum of distances is larger, and so no error.",
+       {}, {removal<&VertexRemovalParams::distance_bound>()}},
   };
 }
 
@@ -131,6 +146,39 @@ std::vector<Parameter> metric_rows() {
         {"CurvatureAdditive", "plus bend",
          "the same, plus a term that grows with the bend at the edge (Yao and others)"}},
        {edge_collapse<&EdgeCollapseParams::metric>()}},
+  };
+}
+
+std::vector<Parameter> removal_rows() {
+  return {
+      {"Criterion", "Which vertex goes next", Kind::Enum, any, "",
+       "The distance is that of a vertex to the average plane of its faces, to the border or to the "
+       "sharp edge that it is on, and then between the old and the new faces.", "",
+       {{"Heap", "the nearest, lower error",
+         "the one whose removal costs least: its squared distance times the area around, with what "
+         "went before near it"},
+        {"Passes", "all within a threshold",
+         "in turn all whose accumulated distance is within a threshold, which rises from pass to "
+         "pass, as in the paper"}},
+       {removal<&VertexRemovalParams::criterion>()}},
+      {"AspectRatioMin", "Least aspect ratio of a split", Kind::Float, {0.0, 0.5}, "",
+       "The loop around a removed vertex is split by lines between two of its vertices. A line is "
+       "refused when another vertex of the loop is nearer to it than this part of its length. More "
+       "gives rounder triangles and more error, and may stop before the target; a square has 0.5.",
+       "More gives rounder triangles and may stop before the target.",
+       {}, {removal<&VertexRemovalParams::aspect_ratio_min>()}},
+      {"PreserveFeatures", "Preserve sharp edges and corners", Kind::Bool, any, "",
+       "Vertices on edges sharper than <i>Feature angle</i> go only along these edges, and corners, "
+       "where an edge ends or more than two meet, stay. May stop before the target. Off: they go "
+       "along them where they can, and in any other way where that costs little.",
+       "Nothing leaves a sharp edge, and corners stay.",
+       {}, {removal<&VertexRemovalParams::preserve_features>()}},
+      {"ShowClasses", "Show the classes of the vertices", Kind::Bool, any, "",
+       "Write to quality and colour of every vertex of the result what stands around it: 0 simple "
+       "(grey), 1 complex (red), 2 boundary (blue), 3 interior edge (green), 4 corner (orange). "
+       "With a <i>Fraction of the faces</i> of 1 the mesh itself stays as it is.",
+       "As quality and colour: simple, complex, boundary, interior edge, corner.",
+       {}, {removal<&VertexRemovalTask::show_classes>()}},
   };
 }
 
@@ -274,18 +322,26 @@ std::vector<Parameter> guard_rows() {
        "Vertices of open borders stay on the border's curve, and the error along it counts. "
        "Switch off to let borders shrink.",
        "Open borders stay on their curve.",
-       {}, decimation<&DecimationParams::preserve_boundary>()},
+       {}, {edge_collapse<&DecimationParams::preserve_boundary>(),
+            meaning(removal<&DecimationParams::preserve_boundary>(),
+                    "The distance of a border vertex to the new border counts. Switch off to let "
+                    "borders shrink.",
+                    "Distances to open borders count.")}},
       {"BoundaryWeight", "Boundary preserving weight", Kind::Float, at_least(0), "",
        "Weight of borders and sharp edges against the surface, 1 counting both alike. Raise it to "
        "keep more vertices on them.",
        "Of borders and sharp edges; more keeps more vertices on them.",
        {}, {edge_collapse<&DecimationParams::boundary_weight>(),
+            meaning(removal<&DecimationParams::boundary_weight>(),
+                    "Factor on distances to borders and sharp edges in the cost. Raise it to keep "
+                    "more vertices on them.",
+                    "Of distances to borders and sharp edges."),
             meaning(clustering<&ClusteringParams::boundary_weight>(),
                     "Weight of open borders against the surface in the representative Quadric, 1 "
                     "counting both alike.",
                     "Of open borders, in the representative Quadric.")}},
       {"PreserveNormal", "Preserve normal", Kind::Bool, any, "",
-       "Refuse a collapse that turns a face by more than <i>Largest turn of a face</i>. Switch "
+       "Refuse a step that turns a face by more than <i>Largest turn of a face</i>. Switch "
        "off only when folded faces do not matter.",
        "Up to the angle below.",
        {}, decimation<&DecimationParams::preserve_normal>()},
@@ -299,13 +355,18 @@ std::vector<Parameter> guard_rows() {
        "Refuse a collapse that closes a hole, pinches a handle, joins parts or makes an edge of "
        "three faces. With <i>Maximum error</i> such a collapse is always refused.",
        "Keep holes, handles and parts; make no edge of three faces.",
-       {}, decimation<&DecimationParams::preserve_topology>()},
+       {}, {edge_collapse<&DecimationParams::preserve_topology>()}},
       {"FeatureAngle", "Feature angle (degrees; 180: no features)",
        Kind::Float, {0.0, 180.0}, "degrees",
        "An edge between faces whose normals differ by at least this is sharp, and is kept like a "
        "border. 180: no edge is.",
        "Edges with at least this angle between their faces are kept.",
-       {}, decimation<&DecimationParams::feature_angle>()},
+       {}, {edge_collapse<&DecimationParams::feature_angle>(),
+            meaning(removal<&DecimationParams::feature_angle>(),
+                    "An edge of the input between faces whose normals differ by at least this is "
+                    "sharp: vertices on it go along it, and the loop around them is split there. "
+                    "180: no edge is.",
+                    "Edges with at least this angle between their faces are sharp.")}},
       {"Selected", "Simplify only selected faces", Kind::Bool, any, "",
        "The rest of the mesh stays as it is, to the bit. The targets then count selected faces.",
        "The rest of the mesh stays as it is; targets count selected faces.",
@@ -316,6 +377,7 @@ std::vector<Parameter> guard_rows() {
        "matters.",
        "Vertex quality multiplies the cost.",
        {}, {edge_collapse<&DecimationParams::quality_weight>(),
+            removal<&DecimationParams::quality_weight>(),
             meaning(clustering<&ClusteringParams::quality_weight>(),
                     "The quality of the vertices multiplies the planes of the representative "
                     "Quadric: paint or compute a high quality on what matters.",
@@ -334,8 +396,8 @@ std::vector<Parameter> guard_rows() {
 const std::vector<Parameter>& parameter_table() {
   static const std::vector<Parameter> table = [] {
     std::vector<Parameter> rows;
-    for (const auto& group : {target_rows(), clustering_rows(), metric_rows(), curvature_rows(),
-                              custom_rows(), guard_rows()})
+    for (const auto& group : {target_rows(), removal_rows(), clustering_rows(), metric_rows(),
+                              curvature_rows(), custom_rows(), guard_rows()})
       rows.insert(rows.end(), group.begin(), group.end());
     return rows;
   }();

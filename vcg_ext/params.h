@@ -107,6 +107,21 @@ struct EdgeCollapseParams : DecimationParams, CurvatureParams {
                           ///< none with max_error or HalfEdge
 };
 
+/// Which vertex goes next @cite schroeder1992.
+enum class RemovalCriterion {
+  Heap,    ///< the one with the least distance
+  Passes,  ///< in turn, all within a threshold that rises from pass to pass, as in the paper
+};
+
+/// Topology is kept always: preserve_topology does not count. boundary_weight is a factor on
+/// distances to boundary and feature lines; without preserve_boundary those to boundaries count 0.
+struct VertexRemovalParams : DecimationParams {
+  RemovalCriterion criterion = RemovalCriterion::Heap;
+  double distance_bound = 0.0;     ///< >= 0, length: on the sum of distances at a vertex; 0: none
+  double aspect_ratio_min = 0.01;  ///< [0, 0.5]: of the lines that split a loop
+  bool preserve_features = false;  ///< nothing leaves a sharp edge, and corners stay
+};
+
 /// Where the vertices of a cell go @cite ciolczyk.
 enum class Representative {
   Quadric,       ///< the least squared distance to the planes of the faces, within the cell

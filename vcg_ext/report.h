@@ -20,17 +20,20 @@ inline const char* to_string(StopReason reason) {
   return names[static_cast<std::size_t>(reason)];
 }
 
-/// Why a guard refused a collapse.
+/// Why a guard refused a collapse or the removal of a vertex.
 enum class Rejection {
   LinkCondition,
   NormalFlip,
   TriangleShape,
   ErrorBound,
-  HubAtRest,  ///< not asked: a vertex of very many faces, of which an edge was refused before
+  HubAtRest,    ///< not asked: a vertex of very many faces, of which an edge was refused before
+  VertexClass,  ///< a complex vertex, or a corner
+  LoopSplit,    ///< no line parts the loop around the vertex
 };
 
-inline constexpr std::array<const char*, 5> rejection_names = {
-    "link_condition", "normal_flip", "triangle_shape", "error_bound", "hub_at_rest"};
+inline constexpr std::array<const char*, 7> rejection_names = {
+    "link_condition", "normal_flip",  "triangle_shape", "error_bound",
+    "hub_at_rest",    "vertex_class", "loop_split"};
 
 struct DecimationReport {
   std::int64_t faces_before = 0, faces = 0;

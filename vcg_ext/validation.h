@@ -49,6 +49,12 @@ inline void validate(const EdgeCollapseParams& params) {
   require_at_least("RefineSweeps", params.refine_sweeps, 0);
 }
 
+inline void validate(const VertexRemovalParams& params) {
+  validate(static_cast<const DecimationParams&>(params));
+  require_at_least("DistanceBound", params.distance_bound, 0.0);
+  require_range("AspectRatioMin", params.aspect_ratio_min, 0.0, 0.5);
+}
+
 inline void validate(const ClusteringParams& params) {
   require_at_least("CellSize", params.cell_size, 0.0);
   require_at_least("TargetFaceNum", params.target_faces, 0);

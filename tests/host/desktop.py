@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A virtual screen, and the keys and clicks of a user on it."""
 
+import re
 import subprocess
 import time
 from contextlib import contextmanager
@@ -60,7 +61,7 @@ class Screen:
 
     def windows(self, title):
         """Ids of the visible windows whose title contains the text."""
-        return self._run("xdotool", "search", "--onlyvisible", "--name", title).split()
+        return self._run("xdotool", "search", "--onlyvisible", "--name", re.escape(title)).split()
 
     def geometry(self, window):
         """X, Y, WIDTH and HEIGHT of a window, in pixels."""

@@ -109,5 +109,26 @@ TEST(TriangleConnectivity, SurvivesAVertexThatSwallowsAllOthers) {
   EXPECT_EQ(grid.vertex_count(), 0);
 }
 
+TEST(TriangleConnectivity, ReplacesFacesAndReplacesThemBack) {
+  TriangleConnectivity star = connectivity_of(fan(5));
+  const TriangleConnectivity before = star;
+  const std::vector<int> which = {0, 1, 2, 3, 4};
+  std::vector<Face> old;
+  for (int f : which) old.push_back(star.face(f));
+  const Face none = {TriangleConnectivity::dead, TriangleConnectivity::dead,
+                     TriangleConnectivity::dead};
+  const Removed removed = star.replace(which, {{1, 2, 3}, {1, 3, 4}, none, {1, 4, 5}, none});
+  EXPECT_EQ(removed.faces, 2);
+  EXPECT_EQ(removed.vertices, 1);
+  star.count(removed);
+  expect_consistent(star);
+  star.count(star.replace(which, old));
+  expect_consistent(star);
+  for (int v = 0; v < star.vertex_slots(); ++v) {
+    const IndexRange now = star.faces_of(v), was = before.faces_of(v);
+    EXPECT_TRUE(std::equal(now.begin(), now.end(), was.begin(), was.end()));
+  }
+}
+
 }  // namespace
 }  // namespace curvdecim::test

@@ -61,10 +61,7 @@ class TriangleConnectivity {
     return face[0] == v ? 0 : face[1] == v ? 1 : 2;
   }
 
-  bool face_has(int f, int v) const {
-    const Face& face = faces_[f];
-    return face[0] == v || face[1] == v || face[2] == v;
-  }
+  bool face_has(int f, int v) const { return has(faces_[f], v); }
 
   /// The corner of f that follows v.
   int next_vertex(int f, int v) const {
@@ -129,6 +126,23 @@ class TriangleConnectivity {
     reserve(lists_[c], lists_[c].size + 1), append(lists_[c], g);
   }
 
+  /// Vertex removal and insertion: the faces in `which` become those in `now`; one with dead
+  /// corners is no face. Lists in ascending order stay so, and to replace back restores them.
+  Removed replace(const std::vector<int>& which, const std::vector<Face>& now) {
+    Removed removed;
+    for (std::size_t i = 0; i < which.size(); ++i) {
+      Face& face = faces_[which[i]];
+      const Face was = face;
+      face = now[i];
+      removed.faces += (was[0] != dead) - (face[0] != dead);
+      for (int v : was)
+        if (v != dead && !has(face, v)) erase_in_order(v, which[i], removed);
+      for (int v : face)
+        if (v != dead && !has(was, v)) insert_in_order(v, which[i], removed);
+    }
+    return removed;
+  }
+
   /// So that the collapse of the edge, which has `shared` faces, moves no list but its own two.
   void make_room(int a, int b, int shared) {
     List& roomier = lists_[a].capacity < lists_[b].capacity ? lists_[b] : lists_[a];
@@ -182,6 +196,26 @@ class TriangleConnectivity {
     int* const first = pool_.data() + list.begin;
     *std::find(first, first + list.size, f) = first[list.size - 1];
     --list.size;
+  }
+
+  static bool has(const Face& face, int v) { return face[0] == v || face[1] == v || face[2] == v; }
+
+  void erase_in_order(int v, int f, Removed& removed) {
+    List& list = lists_[v];
+    int* const first = pool_.data() + list.begin;
+    int* const place = std::lower_bound(first, first + list.size, f);
+    std::copy(place + 1, first + list.size, place);
+    removed.vertices += --list.size == 0;
+  }
+
+  void insert_in_order(int v, int f, Removed& removed) {
+    List& list = lists_[v];
+    reserve(list, list.size + 1);
+    int* const first = pool_.data() + list.begin;
+    int* const place = std::lower_bound(first, first + list.size, f);
+    std::copy_backward(place, first + list.size, first + list.size + 1);
+    *place = f;
+    removed.vertices -= list.size++ == 0;
   }
 
   Removed remove_shared_faces(int keep, int gone) {

@@ -54,15 +54,20 @@ inline void note_seams(DecimationReport& report) {
       "The texture has seams. Its coordinates are carried, but seams may shift a little.");
 }
 
-/// What is not carried in full, apart from seams.
 template <class MeshType>
-void note_dropped_attributes(const MeshType& mesh, DecimationReport& report) {
+void note_faux_edges(const MeshType& mesh, DecimationReport& report) {
   for (const auto& face : mesh.face)
     if (!face.IsD() && face.IsAnyF()) {
       report.notes.push_back(
           "Marks of edges inside polygons (faux edges) are dropped where faces change.");
       break;
     }
+}
+
+/// What is not carried in full, apart from seams.
+template <class MeshType>
+void note_dropped_attributes(const MeshType& mesh, DecimationReport& report) {
+  note_faux_edges(mesh, report);
   if (!mesh.vert_attr.empty())
     report.notes.push_back(
         "Custom vertex attributes stay with the vertices that remain; they are not interpolated.");

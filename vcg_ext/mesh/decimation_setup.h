@@ -154,17 +154,18 @@ std::optional<StopCriterion> set_up(const MeshType& mesh, const DecimationParams
                        snapshot.mesh.connectivity.face_count()};
 }
 
-/// What is left, and why it is more than was asked for.
+/// What is left, and why it is more than was asked for. exhausted: what the run had no more of.
 template <class MeshType>
-void finish(const MeshType& mesh, DecimationReport& report) {
+void finish(const MeshType& mesh, DecimationReport& report,
+            const char* exhausted = "no edge is left that may collapse") {
   report.faces = mesh.fn;
   report.vertices = mesh.vn;
   if (report.stopped_by == StopReason::Cancelled)
     report.notes.push_back("Cancelled: the mesh is unchanged.");
   if (report.stopped_by != StopReason::NothingLeft) return;
   const auto most = std::max_element(report.rejected.begin(), report.rejected.end());
-  std::string note = "Stopped at " + std::to_string(mesh.fn) +
-                     " faces, above the target: no edge is left that may collapse.";
+  std::string note =
+      "Stopped at " + std::to_string(mesh.fn) + " faces, above the target: " + exhausted + '.';
   if (*most > 0)
     note += std::string(" Most were refused by ") +
             rejection_names[most - report.rejected.begin()] + '.';

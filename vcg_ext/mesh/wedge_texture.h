@@ -9,6 +9,7 @@
 
 #include "vcg_ext/geometry/closest_point.h"
 #include "vcg_ext/operators/collapse_observer.h"
+#include "vcg_ext/operators/removal_observer.h"
 
 namespace curvdecim {
 
@@ -22,11 +23,12 @@ struct WedgeCoordinate {
 
 using FaceWedges = std::array<WedgeCoordinate, 3>;
 
-/// Carries wedge texture coordinates through the collapses. The corners around the edge fall into
-/// charts: those at one vertex with the same coordinates, and those that a face at the edge joins.
-/// All corners of a chart take the coordinates of the chart's surface point nearest to the merged
-/// vertex, so that a chart does not tear and two charts do not mix.
-class WedgeTexture : public CollapseObserver {
+/// Carries wedge texture coordinates through the collapses, or through removals of vertices, where
+/// every corner keeps those that its vertex has on its side of a seam. In a collapse the corners
+/// around the edge fall into charts: those at one vertex with the same coordinates, and those that
+/// a face at the edge joins. All corners of a chart take the coordinates of the chart's surface
+/// point nearest to the merged vertex, so that a chart does not tear and two charts do not mix.
+class WedgeTexture : public CollapseObserver, public RemovalObserver {
  public:
   explicit WedgeTexture(std::vector<FaceWedges> wedges) : wedges_(std::move(wedges)) {}
 
@@ -38,6 +40,14 @@ class WedgeTexture : public CollapseObserver {
     for (const auto* faces : {&around.wings(), &around.star()})
       for (int f : *faces) join_chart(mesh, f, collapse, charts);
     for (const Chart& chart : charts) move_corners(mesh, chart, around, collapse);
+  }
+
+  void before(const WorkingMesh& mesh, const VertexFan&,
+              const std::vector<NewFace>& faces) override {
+    std::vector<FaceWedges> now(faces.size());
+    for (std::size_t i = 0; i < faces.size(); ++i)
+      for (int k = 0; k < 3; ++k) now[i][k] = corner(mesh, faces[i].source[k], faces[i].corners[k]);
+    for (std::size_t i = 0; i < faces.size(); ++i) wedges_[faces[i].slot] = now[i];
   }
 
   void renumber(const Renumbering& numbers) override { numbers.faces(wedges_); }

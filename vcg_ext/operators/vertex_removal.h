@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "vcg_ext/operators/stop_criterion.h"
+#include "vcg_ext/operators/vertex_remover.h"
+#include "vcg_ext/parallel.h"
+#include "vcg_ext/progress_meter.h"
+#include "vcg_ext/queue/indexed_heap.h"
+
+namespace curvdecim {
+
+/// Vertex removal @cite schroeder1992:
+///
+///   Heap:    estimate every vertex by the paper's distance, least first   (queue)
+///            while the target is not reached:
+///              vertex <- least
+///              triangulate the loop around it; refused? drop it           (guard)
+///              further off than estimated, and no longer first? requeue
+///              remove it, tell observers, estimate its neighbours
+///   Passes:  while the target is not reached:
+///              remove in turn every vertex within the threshold
+///              none went? raise the threshold to the least distance above it, or to its double
+class VertexRemoval {
+ public:
+  VertexRemoval(WorkingMesh& mesh, VertexRemover& remover, const VertexRemovalParams& params,
+                const StopCriterion& stop)
+      : mesh_(mesh),
+        remover_(remover),
+        params_(params),
+        stop_(stop),
+        scratch_(mesh, params),
+        queue_(mesh.position.size()),
+        exact_(mesh.position.size(), 0) {}
+
+  /// Fills max_error (in the unit of the working mesh), cost_last, rejected and stopped_by. Throws
+  /// CancelRequest.
+  void run(const Parallel& parallel, ProgressMeter& progress, DecimationReport& report) {
+    report_ = &report, progress_ = &progress;
+    progress.begin("Removing vertices");
+    if (params_.criterion == RemovalCriterion::Passes) {
+      report.stopped_by = run_passes();
+    } else {
+      int before;
+      do {  // a refused vertex may have become free since: ask all once more before giving up
+        before = mesh_.connectivity.face_count();
+        fill_queue(parallel);
+        report.stopped_by = empty_queue();
+      } while (report.stopped_by == StopReason::NothingLeft &&
+               mesh_.connectivity.face_count() < before);
+    }
+    if (report.stopped_by == StopReason::NothingLeft &&
+        report.rejected_by(Rejection::ErrorBound) > 0)
+      report.stopped_by = StopReason::ErrorBound;
+  }
+
+ private:
+  static constexpr int steps_per_progress = 1024;  // some milliseconds
+
+  // --- Heap -------------------------------------------------------------------------------------
+
+  void fill_queue(const Parallel& parallel) {
+    const int count = mesh_.connectivity.vertex_slots();
+    std::vector<std::optional<VertexRemover::Estimate>> estimates(count);
+    parallel.for_ranges(
+        count,
+        [&](int begin, int end, int) {
+          VertexFan fan;
+          for (int v = begin; v < end; ++v) estimates[v] = estimate(v, fan);
+        },
+        Parallel::heavy);
+    for (int v = 0; v < count; ++v) enqueue(v, estimates[v]);
+  }
+
+  std::optional<VertexRemover::Estimate> estimate(int v, VertexFan& fan) const {
+    if (mesh_.connectivity.faces_of(v).size() == 0) return std::nullopt;
+    return remover_.estimate(v, fan);
+  }
+
+  /// Keeps a key that is larger already: it was right once, and what changed around v has rarely
+  /// brought it nearer. That saves a quarter of the time for 2 % of the error.
+  void enqueue(int v, const std::optional<VertexRemover::Estimate>& estimate) {
+    exact_[v] = 0;
+    if (!estimate) return queue_.remove(v);
+    if (queue_.contains(v) && estimate->priority < queue_.entry(v).key) return;
+    queue_.set(v, estimate->priority);
+  }
+
+  StopReason empty_queue() {
+    for (int steps = 0; !stop_.reached(mesh_.connectivity); ++steps) {
+      if (queue_.empty()) return StopReason::NothingLeft;
+      if (steps % steps_per_progress == 0) show_progress();
+      const int v = queue_.top().index;
+      const RemovalAnswer answer = remover_.evaluate(v, scratch_);
+      if (answer.refusal) {
+        ++report_->rejected_by(*answer.refusal);
+        queue_.remove(v);
+      } else if (is_behind(v, answer)) {
+        exact_[v] = 1;
+      } else {
+        queue_.remove(v);
+        remove(answer);
+        for (int u : scratch_.fan.loop()) enqueue(u, estimate(u, neighbor_fan_));
+      }
+    }
+    return StopReason::Target;
+  }
+
+  /// True if the vertex is further off than estimated, and no longer first; its key is right then.
+  bool is_behind(int v, const RemovalAnswer& answer) {
+    if (exact_[v]) return false;
+    const Priority estimated = queue_.top().key;
+    const Priority now = remover_.priority(v, answer);
+    if (!(estimated < now) || !(queue_.second_key() < now)) return false;
+    queue_.set(v, now);
+    return true;
+  }
+
+  // --- Passes -----------------------------------------------------------------------------------
+
+  StopReason run_passes() {
+    double threshold = 0.0;
+    for (;;) {
+      const int before = mesh_.connectivity.face_count();
+      const double next = pass(threshold);
+      if (stop_.reached(mesh_.connectivity)) return StopReason::Target;
+      if (mesh_.connectivity.face_count() < before) continue;  // others may be free now
+      if (next == std::numeric_limits<double>::infinity()) return StopReason::NothingLeft;
+      threshold = std::max(next, raise * threshold);
+    }
+  }
+
+  /// The least distance that was above the threshold.
+  double pass(double threshold) {
+    double least_above = std::numeric_limits<double>::infinity();
+    for (int v = 0; v < mesh_.connectivity.vertex_slots(); ++v) {
+      if (stop_.reached(mesh_.connectivity)) break;
+      if (v % steps_per_progress == 0) show_progress();
+      const auto about = estimate(v, neighbor_fan_);
+      if (!about) continue;
+      double distance = about->distance;
+      if (distance <= threshold) {
+        const RemovalAnswer answer = remover_.evaluate(v, scratch_);
+        if (answer.refusal) {
+          ++report_->rejected_by(*answer.refusal);
+          continue;
+        }
+        distance = remover_.importance(v) * answer.error;
+        if (distance <= threshold) remove(answer);
+      }
+      if (distance > threshold) least_above = std::min(least_above, distance);
+    }
+    return least_above;
+  }
+
+  static constexpr double raise = 2.0;  // of the threshold from pass to pass
+
+  // --- both -------------------------------------------------------------------------------------
+
+  void remove(const RemovalAnswer& answer) {
+    mesh_.connectivity.count(remover_.remove(answer, scratch_));
+    report_->cost_last = answer.cost;
+    report_->max_error = std::max(report_->max_error, answer.error);
+  }
+
+  void show_progress() const {
+    progress_->set(stop_.progress(mesh_.connectivity));
+    progress_->ask();
+  }
+
+  WorkingMesh& mesh_;
+  VertexRemover& remover_;
+  const VertexRemovalParams& params_;
+  const StopCriterion& stop_;
+  VertexRemover::Scratch scratch_;
+  VertexFan neighbor_fan_;
+  IndexedHeap<Priority> queue_;
+  std::vector<char> exact_;  // by vertex: 1 if its key is what evaluate says
+  DecimationReport* report_ = nullptr;
+  ProgressMeter* progress_ = nullptr;
+};
+
+}  // namespace curvdecim
