@@ -49,6 +49,13 @@ inline void validate(const EdgeCollapseParams& params) {
   require_at_least("RefineSweeps", params.refine_sweeps, 0);
 }
 
+inline void validate(const SphereParams& params) {
+  validate(static_cast<const DecimationParams&>(params));
+  require_range("KernelScale", params.kernel_scale, SphereParams::least_kernel_scale,
+                SphereParams::largest_kernel_scale);
+  require_at_least("RefineSweeps", params.refine_sweeps, 0);
+}
+
 inline void validate(const ClusteringParams& params) {
   require_at_least("CellSize", params.cell_size, 0.0);
   require_at_least("TargetFaceNum", params.target_faces, 0);

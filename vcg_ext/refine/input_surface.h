@@ -28,20 +28,23 @@ struct InputSurface {
   }
 };
 
-/// By vertex: how much an error there counts, as it does in the collapses.
-inline std::vector<double> error_weights(const WorkingMesh& mesh, const EdgeCollapseParams& params,
-                                         double diagonal, const Parallel& parallel) {
+/// By vertex: how much an error there counts, as it does in the collapses, but for its importance.
+inline std::vector<double> metric_weights(const WorkingMesh& mesh, const EdgeCollapseParams& params,
+                                          double diagonal, const Parallel& parallel) {
   std::vector<double> weights(mesh.position.size(), 1.0);
-  if (params.metric == Metric::CurvatureWeighted) {
-    const CurvatureField field = curvature_field(mesh, params, parallel);
-    const CurvatureWeight weight = curvature_weight(params, field, diagonal);
-    for (std::size_t v = 0; v < weights.size(); ++v) {
-      const double saturation = weight.saturation(field.value[v]);
-      weights[v] = weight.of_edge(saturation, saturation);
-    }
+  if (params.metric != Metric::CurvatureWeighted) return weights;
+  const CurvatureField field = curvature_field(mesh, params, parallel);
+  const CurvatureWeight weight = curvature_weight(params, field, diagonal);
+  for (std::size_t v = 0; v < weights.size(); ++v) {
+    const double saturation = weight.saturation(field.value[v]);
+    weights[v] = weight.of_edge(saturation, saturation);
   }
-  for (std::size_t v = 0; v < mesh.importance.size(); ++v) weights[v] *= mesh.importance[v];
   return weights;
+}
+
+inline std::vector<double> metric_weights(const WorkingMesh& mesh, const SphereParams&, double,
+                                          const Parallel&) {
+  return std::vector<double>(mesh.position.size(), 1.0);
 }
 
 /// The mean of the corners' weights, over the mean of the surface.
@@ -57,13 +60,16 @@ inline void set_face_weights(const std::vector<double>& of_vertex, InputSurface&
 }
 
 /// mesh: before the collapses; diagonal: of the input in its own unit.
-inline InputSurface input_surface(const WorkingMesh& mesh, const EdgeCollapseParams& params,
-                                  double diagonal, const Parallel& parallel) {
+template <class Params>
+InputSurface input_surface(const WorkingMesh& mesh, const Params& params, double diagonal,
+                           const Parallel& parallel) {
   InputSurface surface;
   surface.position = mesh.position;
   surface.plane = mesh.plane;
   surface.connectivity = mesh.connectivity;
-  set_face_weights(error_weights(mesh, params, diagonal, parallel), surface);
+  std::vector<double> weights = metric_weights(mesh, params, diagonal, parallel);
+  for (std::size_t v = 0; v < mesh.importance.size(); ++v) weights[v] *= mesh.importance[v];
+  set_face_weights(weights, surface);
   surface.border = border_edges(mesh);
   return surface;
 }
