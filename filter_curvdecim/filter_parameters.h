@@ -15,6 +15,7 @@ namespace curvdecim {
 /// The core's parameters of every filter.
 struct Settings {
   EdgeCollapseParams edge_collapse;
+  SphereParams sphere;
   ClusteringParams clustering;
   ImportanceParams importance;
 };

@@ -34,6 +34,13 @@ constexpr Reference lindstrom = {"P. Lindstrom", "Out-of-core simplification of 
 constexpr Reference ciolczyk_janczykowski = {"M. Ciolczyk, M. Janczykowski",
                                              "Mesh simplification: vertex clustering", "slides"};
 
+constexpr Reference michaud_mellado_paulin = {"J. Michaud, N. Mellado, M. Paulin",
+                                              "Mesh simplification with curvature error metric",
+                                              "Eurographics posters, 2017"};
+constexpr Reference guennebaud = {"G. Guennebaud, M. Germann, M. Gross",
+                                  "Dynamic sampling and rendering of algebraic point set surfaces",
+                                  "Computer Graphics Forum 27(2), 2008"};
+
 /// The list of references as MeshLab asks for it: authors, title, source. The dialog of MeshLab
 /// 2020.09 does not scroll and would be too high for a screen, so each takes one line.
 std::string bibliography(std::initializer_list<Reference> references) {
@@ -48,6 +55,11 @@ const char* const edge_collapse_info =
     "Collapse edges, cheapest first, and spend the faces that remain where the surface is curved. "
     "A closed manifold stays one; borders and sharp edges are kept. <i>Curvature Importance</i> "
     "shows what a setting protects. The log says what was done.";
+
+const char* const sphere_info =
+    "Collapse edges by how far the new faces are from spheres fitted to the original surface, and "
+    "place vertices where spheres and planes are nearest: the lowest error on smooth shapes. A "
+    "closed manifold stays one; borders and sharp edges are kept. The log says what was done.";
 
 const char* const clustering_info =
     "Put a grid over the mesh and make one vertex of all in a cell: the fastest way to a coarse "
@@ -73,6 +85,9 @@ const std::vector<FilterText>& filter_texts() {
        "meshing_decimation_curvature_edge_collapse", Category::Remeshing,
        edge_collapse_info +
            bibliography({garland_heckbert, lindstrom_turk, pellizzoni_savio, yao})},
+      {FilterId::AlgebraicSphere, "Simplification: Algebraic Sphere Edge Collapse",
+       "meshing_decimation_algebraic_sphere", Category::Remeshing,
+       sphere_info + bibliography({michaud_mellado_paulin, guennebaud, lindstrom_turk})},
       {FilterId::VertexClustering, "Simplification: Vertex Clustering with Representatives",
        "meshing_decimation_vertex_clustering", Category::Remeshing,
        clustering_info + bibliography({rossignac_borrel, lindstrom, ciolczyk_janczykowski})},

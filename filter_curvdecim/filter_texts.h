@@ -7,7 +7,12 @@
 namespace curvdecim {
 
 /// The filters of the plugin; the number is the host's id of the action.
-enum class FilterId { CurvatureEdgeCollapse, CurvatureImportance, VertexClustering };
+enum class FilterId {
+  CurvatureEdgeCollapse,
+  CurvatureImportance,
+  VertexClustering,
+  AlgebraicSphere
+};
 
 /// The submenu of a host's Filters menu.
 enum class Category { Remeshing, QualityMeasure };
