@@ -58,8 +58,9 @@ const char* const edge_collapse_info =
 
 const char* const sphere_info =
     "Collapse edges by how far the new faces are from spheres fitted to the original surface, and "
-    "place vertices where spheres and planes are nearest: the lowest error on smooth shapes. A "
-    "closed manifold stays one; borders and sharp edges are kept. The log says what was done.";
+    "place vertices where spheres and planes are nearest: on smooth shapes less error than the "
+    "preset Balanced of <i>Curvature-Enhanced Edge Collapse</i>, in about twice its time. A closed "
+    "manifold stays one; borders and sharp edges are kept. The log says what was done.";
 
 const char* const clustering_info =
     "Put a grid over the mesh and make one vertex of all in a cell: the fastest way to a coarse "

@@ -14,6 +14,7 @@ SHIPPED = Path(pymeshlab.__file__).parent / "tests" / "sample_meshes"
 MORE = Path(os.environ.get("CURVDECIM_MESHES", ROOT.parent / "shared" / "meshes"))
 
 DECIMATE = "meshing_decimation_curvature_edge_collapse"
+SPHERES = "meshing_decimation_algebraic_sphere"
 IMPORTANCE = "compute_scalar_by_curvature_importance"
 
 

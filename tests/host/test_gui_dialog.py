@@ -13,6 +13,7 @@ from desktop import running, screen, wait_for
 from samples import load
 
 DECIMATION = "Simplification: Curvature-Enhanced Edge Collapse"
+SPHERES = "Simplification: Algebraic Sphere Edge Collapse"
 CLUSTERING = "Simplification: Vertex Clustering with Representatives"
 IMPORTANCE = "Curvature Importance"
 START_SECONDS = 60
@@ -102,7 +103,7 @@ def test_decimation_dialog(session, artifacts):
     assert session.logged("stopped_by: target")
 
 
-@pytest.mark.parametrize("name", [DECIMATION, CLUSTERING])
+@pytest.mark.parametrize("name", [DECIMATION, SPHERES, CLUSTERING])
 def test_dialog_fits_a_full_hd_screen(session, name):
     """Otherwise its buttons are out of reach, with and without help."""
     dialog = session.open_filter(name)
@@ -116,6 +117,7 @@ def test_dialog_fits_a_full_hd_screen(session, name):
 @pytest.mark.parametrize(
     ("name", "picture", "result"),
     [
+        (SPHERES, "gui_spheres", "cost_last: "),
         (CLUSTERING, "gui_clustering", "cell_size: "),
         (IMPORTANCE, "gui_importance", "median: "),
     ],

@@ -6,7 +6,7 @@ import pymeshlab
 import pytest
 from measures import flipped_faces, rms_distance, surface, topology
 from pymeshlab_curvdecim import filter_script
-from samples import DECIMATE, IMPORTANCE, load
+from samples import DECIMATE, IMPORTANCE, SPHERES, load
 
 TARGET = 1160
 # Single precision moves a vertex by 6e-8 of its coordinates, and may change the order of collapses
@@ -34,14 +34,15 @@ def written(script, directory):
     return file
 
 
-def test_decimation_agrees_with_pymeshlab(meshlab, cow, tmp_path):
-    script = written(filter_script(DECIMATE, targetfacenum=TARGET), tmp_path)
+@pytest.mark.parametrize("name", [DECIMATE, SPHERES])
+def test_decimation_agrees_with_pymeshlab(meshlab, cow, tmp_path, name):
+    script = written(filter_script(name, targetfacenum=TARGET), tmp_path)
     run = meshlab.serve(cow, script, tmp_path / "out.ply")
     assert run.returncode == 0, run.stdout
     assert "\nfaces: 1160\n" in run.stdout
 
     original, ours = surface(read(cow)), read(cow)
-    ours.apply_filter(DECIMATE, targetfacenum=TARGET)
+    ours.apply_filter(name, targetfacenum=TARGET)
     served = surface(read(tmp_path / "out.ply"))
     assert len(served.faces) == ours.current_mesh().face_number() == TARGET
     assert topology(served) == topology(original)

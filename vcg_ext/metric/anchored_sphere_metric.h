@@ -21,63 +21,54 @@ namespace curvdecim {
 class AnchoredSphereMetric {
  public:
   AnchoredSphereMetric(const WorkingMesh& mesh, const SphereParams& params)
-      : mesh_(mesh), params_(params), quadric_(mesh, params, QuadricParams()) {}
+      : mesh_(mesh), params_(params), planes_(mesh, params, QuadricParams()) {}
 
   void initialize(const Parallel& parallel) {
-    quadric_.initialize(parallel);
+    planes_.initialize(parallel);
     fit_spheres(parallel);
     measure_doubt(parallel);
   }
 
   std::optional<Candidate> evaluate(Edge edge, Allowed allowed, const Vector3& wings) const {
-    std::optional<Candidate> candidate = quadric_.evaluate(edge, allowed, wings);
-    if (!candidate || !has_sphere(edge)) return candidate;
-    const Vector3 half = 0.5 * (mesh_.position[edge.b] - mesh_.position[edge.a]);
-    const Vector3 midpoint = mesh_.position[edge.a] + half;
-    const Quadric planes = quadric_.of_edge(edge);
-    View view = look(edge, candidate->position);
-    if (is_rounding(view.energy, half)) return candidate;
-    double cost = cost_of(candidate->cost, planes, view);
-    if (allowed == Allowed::Anywhere && is_inside(edge))
-      if (const auto step = step_to_minimum(planes, candidate->position - midpoint, view, half)) {
-        const Vector3 x = candidate->position + *step;
-        const View moved = look(edge, x);
-        const double moved_cost = cost_of(planes.value(x - midpoint), planes, moved);
-        if (moved_cost < cost) {
-          cost = moved_cost;
-          candidate = Candidate{0.0, x, parameter_along(half, x - midpoint)};
-        }
-      }
-    candidate->cost = cost;
-    return candidate;
+    std::optional<Candidate> candidate = planes_.evaluate(edge, allowed, wings);
+    if (!candidate) return candidate;
+    const Quadric planes = planes_.of_edge(edge);
+    const double squares = candidate->cost;
+    candidate->cost = planes_in_unit_of(params_.energy, squares, planes.a.trace());
+    if (squares == 0.0 || !has_sphere(edge)) return candidate;
+    const View view = look(edge, candidate->position);
+    const Errors errors = errors_of(squares, planes, view);
+    candidate->cost = errors.cost();
+    if (allowed != Allowed::Anywhere || !is_inside(edge)) return candidate;
+    return nearer_to_both(edge, planes, *candidate, view, errors);
   }
 
   /// By the planes alone: spheres decide where the vertex goes rather than which edge is cheapest.
   void estimate(int v, const std::vector<int>& others, std::vector<double>& costs) const {
-    quadric_.estimate(v, others, costs);
+    planes_.estimate(v, others, costs);
     if (params_.energy == SphereEnergy::Squared) return;
     for (std::size_t i = 0; i < others.size(); ++i)
       costs[i] = planes_in_unit_of(params_.energy, costs[i],
-                                   quadric_.weight(v) + quadric_.weight(others[i]));
+                                   planes_.weight(v) + planes_.weight(others[i]));
   }
 
   void release(const EdgeNeighborhood& around, const std::vector<FacePlane>& after) {
-    quadric_.release(around, after);
+    planes_.release(around, after);
   }
 
   void merge(const Collapse& collapse, const EdgeNeighborhood& around) {
-    quadric_.merge(collapse, around);
+    planes_.merge(collapse, around);
     anchor_[collapse.keep] = merged(collapse.keep, collapse.now - collapse.keep_was, collapse.gone,
                                     collapse.now - collapse.gone_was);
   }
 
   void renumber(const Renumbering& numbers) {
-    quadric_.renumber(numbers), numbers.vertices(anchor_);
+    planes_.renumber(numbers), numbers.vertices(anchor_);
   }
 
  private:
   /// How many times the doubt weighs against the energy: at this ratio a sphere counts half.
-  static constexpr double caution = 6.0;
+  static constexpr double caution = 3.0;
   static constexpr int hub = 64;  // faces around an edge, from which on the planes will do
 
   /// Of the input that has gone into a vertex, about it.
@@ -92,6 +83,16 @@ class AnchoredSphereMetric {
     RingEnergy energy;
     Quadric distance;  // sum of area x (mean distance)^2, as a function of the vertex's step
     double trust = 0.0;
+  };
+
+  /// In the unit of the energy.
+  struct Errors {
+    double of_planes;
+    double both;  // the mean of both, the spheres' by its trust
+
+    /// Planes take a surface that curves evenly for an error, spheres know better. What spheres
+    /// call an error and planes do not is mostly their own.
+    double cost() const { return std::min(of_planes, both); }
   };
 
   void fit_spheres(const Parallel& parallel) {
@@ -196,16 +197,23 @@ class AnchoredSphereMetric {
     return energy2 > 0.0 ? energy2 / (energy2 + fault * fault) : 0.0;
   }
 
-  static bool is_rounding(const RingEnergy& energy, const Vector3& half) {
-    return energy.squared <= energy_of_distance(SphereEnergy::Squared,
-                                                2.0 * QuadricMetric::rounding * half.norm(),
-                                                energy.area);
+  Errors errors_of(double squares, const Quadric& planes, const View& view) const {
+    const double of_planes = planes_in_unit_of(params_.energy, squares, planes.a.trace());
+    const double of_spheres = view.energy.of(params_.energy);
+    return {of_planes, (of_planes + view.trust * of_spheres) / (1.0 + view.trust)};
   }
 
-  /// The mean of both errors, the spheres' by its trust.
-  double cost_of(double quadric_error, const Quadric& planes, const View& view) const {
-    const double of_planes = planes_in_unit_of(params_.energy, quadric_error, planes.a.trace());
-    return (of_planes + view.trust * view.energy.of(params_.energy)) / (1.0 + view.trust);
+  /// The candidate, where the view was taken, or one at the minimum of both errors if that is less.
+  Candidate nearer_to_both(Edge edge, const Quadric& planes, const Candidate& candidate,
+                           const View& view, const Errors& errors) const {
+    const Vector3 half = 0.5 * (mesh_.position[edge.b] - mesh_.position[edge.a]);
+    const Vector3 midpoint = mesh_.position[edge.a] + half;
+    const auto step = step_to_minimum(planes, candidate.position - midpoint, view, half);
+    if (!step) return candidate;
+    const Vector3 x = candidate.position + *step;
+    const Errors there = errors_of(planes.value(x - midpoint), planes, look(edge, x));
+    if (!(there.both < errors.both)) return candidate;
+    return {there.cost(), x, parameter_along(half, x - midpoint)};
   }
 
   /// From `offset`, where the view was taken, to the minimum of both. None where it would be longer
@@ -224,7 +232,7 @@ class AnchoredSphereMetric {
 
   const WorkingMesh& mesh_;
   const SphereParams& params_;
-  QuadricMetric quadric_;
+  QuadricMetric planes_;
   std::vector<Anchor> anchor_;  // by vertex
 };
 
