@@ -125,7 +125,7 @@ TEST(Sphere, OfAHundredFacesLiesOnBothSidesOfItselfByAnchoredSpheres) {
   params.placement = SpherePlacement::OnSphereAlongEdge;
   const Shape on = decimated(sphere, params).shape;
   EXPECT_LT(two_sided_rms(sphere, free), 0.6 * two_sided_rms(sphere, on));
-  EXPECT_NEAR(volume(free) / volume(sphere), 1.0, 0.01);
+  EXPECT_NEAR(volume(free) / volume(sphere), 1.0, 0.03);
   EXPECT_LT(volume(on) / volume(sphere), 0.95);
 }
 
