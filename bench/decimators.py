@@ -70,6 +70,11 @@ def curvdecim(plugin: Path, name: str = "CurvDecim", **parameters: Any) -> Decim
     return Decimator(name, "meshing_decimation_curvature_edge_collapse", plugin, parameters)
 
 
+def spheres(plugin: Path, name: str = "Algebraic spheres", **parameters: Any) -> Decimator:
+    """Our edge collapse by algebraic spheres; parameters that are not given have their defaults."""
+    return Decimator(name, "meshing_decimation_algebraic_sphere", plugin, parameters)
+
+
 def meshlab(name: str = "MeshLab", **parameters: Any) -> Decimator:
     """MeshLab's own quadric edge collapse with its true defaults, apart from what is given."""
     return Decimator(

@@ -6,6 +6,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pyvista
@@ -16,6 +17,7 @@ _CELL_PIXELS = (900, 720)
 _SIDE_MARGIN, _FOOT_MARGIN, _HEAD_MARGIN = 0.06, 0.05, 0.17  # of the cell; the head has the text
 _BACKGROUND, _INK, _FAINT_INK, _EDGES = "#fbfaf7", "#22262b", "#6a7078", "#2b2420"
 _COLORS = ("#d8cfc0", "#e0a458", "#8fb3c9")  # by column
+COLOR_MAP = "turbo"
 _DENSE = 20_000  # faces from which edges are drawn thinner, so that the shape stays visible
 
 
@@ -27,6 +29,7 @@ class Panel:
     faces: Ints
     title: str
     caption: str
+    values: Floats | None = None  # (n,), 0 to 1: colours the vertices, instead of drawing edges
 
 
 @dataclass(frozen=True)
@@ -62,18 +65,9 @@ def draw(path: Path, rows: Sequence[tuple[View, Sequence[Panel]]]) -> None:
 
 
 def _add(plotter: pyvista.Plotter, panel: Panel, color: str) -> None:
-    dense = len(panel.faces) > _DENSE
-    plotter.add_mesh(
-        pyvista.PolyData.from_regular_faces(panel.vertices, panel.faces),
-        color=color,
-        smooth_shading=False,
-        show_edges=True,
-        edge_color=_EDGES,
-        edge_opacity=0.25 if dense else 0.85,
-        line_width=0.5 if dense else 1.5,
-        ambient=0.12,
-        specular=0.1,
-    )
+    mesh = pyvista.PolyData.from_regular_faces(panel.vertices, panel.faces)
+    look = _edges(color, len(panel.faces) > _DENSE) if panel.values is None else _map(panel.values)
+    plotter.add_mesh(mesh, smooth_shading=False, ambient=0.12, specular=0.1, **look)
     for line, top, size, ink in (
         (panel.title, 0.925, 16, _INK),
         (panel.caption, 0.875, 12, _FAINT_INK),
@@ -81,6 +75,20 @@ def _add(plotter: pyvista.Plotter, panel: Panel, color: str) -> None:
         plotter.add_text(
             line, position=(0.04, top), font_size=size, color=ink, font="arial", viewport=True
         )
+
+
+def _edges(color: str, dense: bool) -> dict[str, Any]:
+    return {
+        "color": color,
+        "show_edges": True,
+        "edge_color": _EDGES,
+        "edge_opacity": 0.25 if dense else 0.85,
+        "line_width": 0.5 if dense else 1.5,
+    }
+
+
+def _map(values: Floats) -> dict[str, Any]:
+    return {"scalars": values, "cmap": COLOR_MAP, "clim": (0.0, 1.0), "show_scalar_bar": False}
 
 
 def _aim(plotter: pyvista.Plotter, view: View, vertices: Floats) -> None:

@@ -133,6 +133,31 @@ class Surface:
         ring_size = np.bincount(start, minlength=len(curvature))
         return (curvature + ring_sum) / (1 + ring_size)
 
+    def mean_curvature(self) -> Floats:
+        """(n,): signed, by the cotangent Laplacian and Voronoi areas; positive where convex.
+
+        Zero where no face has an area. Unit: 1 / length.
+        """
+        area = igl.massmatrix(self.vertices, self.faces, igl.MASSMATRIX_TYPE_VORONOI).diagonal()
+        laplacian = np.nan_to_num(igl.cotmatrix(self.vertices, self.faces) @ self.vertices)
+        along = np.einsum("ij,ij->i", laplacian, self._vertex_normals())
+        return np.divide(-along, 2 * area, out=np.zeros_like(area), where=area > 0)
+
+    def _vertex_normals(self) -> Floats:
+        sums = np.zeros_like(self.vertices)
+        np.add.at(sums, self.faces.ravel(), np.repeat(self._crosses, 3, axis=0))
+        length = np.linalg.norm(sums, axis=1, keepdims=True)
+        return np.divide(sums, length, out=np.zeros_like(sums), where=length > 0)
+
+    def at_closest(self, of_vertex: Floats, points: Floats) -> Floats:
+        """(m,): what the vertices' values (n,) are at the closest point of every point (m, 3)."""
+        tree, solid = self._tree
+        points = np.ascontiguousarray(points, dtype=np.float64)
+        _, face, closest = tree.squared_distance(self.vertices, solid, points)
+        a, b, c = (np.ascontiguousarray(self.vertices[solid[face, i]]) for i in range(3))
+        weights = igl.barycentric_coordinates(closest, a, b, c)
+        return np.einsum("ij,ij->i", weights, of_vertex[solid[face]])
+
 
 def _uniform_barycentric(generator: np.random.Generator, count: int) -> Floats:
     """(count, 3): uniform over a triangle, by the square-root map of the unit square."""

@@ -53,6 +53,11 @@ Outcome decimate_by_edge_collapse(MeshType& mesh, const EdgeCollapseParams& para
 }
 
 template <class MeshType>
+Outcome decimate_by_spheres(MeshType& mesh, const SphereParams& params, const Progress& progress) {
+  return outcome_of(decimate_algebraic_sphere(mesh, params, progress), params);
+}
+
+template <class MeshType>
 Outcome decimate_by_clustering(MeshType& mesh, const ClusteringParams& params,
                                const Progress& progress) {
   return outcome_of(decimate_vertex_clustering(mesh, params, progress));

@@ -36,8 +36,7 @@ void refresh(MeshModel& mesh) {
   mesh.cm.svn = count_selected(mesh.cm.vert);
 }
 
-Outcome run_edge_collapse(MeshModel& mesh, const Settings& settings, const Progress& progress) {
-  const Outcome outcome = decimate_by_edge_collapse(mesh.cm, settings.edge_collapse, progress);
+Outcome refreshed(MeshModel& mesh, Outcome outcome) {
   if (outcome.mesh_changed) refresh(mesh);
   return outcome;
 }
@@ -50,10 +49,16 @@ Outcome run_removal(MeshModel& mesh, const Settings& settings, const Progress& p
   return outcome;
 }
 
+Outcome run_edge_collapse(MeshModel& mesh, const Settings& settings, const Progress& progress) {
+  return refreshed(mesh, decimate_by_edge_collapse(mesh.cm, settings.edge_collapse, progress));
+}
+
+Outcome run_spheres(MeshModel& mesh, const Settings& settings, const Progress& progress) {
+  return refreshed(mesh, decimate_by_spheres(mesh.cm, settings.sphere, progress));
+}
+
 Outcome run_clustering(MeshModel& mesh, const Settings& settings, const Progress& progress) {
-  const Outcome outcome = decimate_by_clustering(mesh.cm, settings.clustering, progress);
-  if (outcome.mesh_changed) refresh(mesh);
-  return outcome;
+  return refreshed(mesh, decimate_by_clustering(mesh.cm, settings.clustering, progress));
 }
 
 Outcome run_importance(MeshModel& mesh, const Settings& settings, const Progress& progress) {
@@ -83,6 +88,8 @@ const std::vector<Filter>& filters() {
   static const std::vector<Filter> rows = {
       filter(FilterId::CurvatureEdgeCollapse, MeshModel::MM_FACENUMBER,
              MeshModel::MM_GEOMETRY_AND_TOPOLOGY_CHANGE, run_edge_collapse),
+      filter(FilterId::AlgebraicSphere, MeshModel::MM_FACENUMBER,
+             MeshModel::MM_GEOMETRY_AND_TOPOLOGY_CHANGE, run_spheres),
       filter(FilterId::VertexRemoval, MeshModel::MM_FACENUMBER,
              MeshModel::MM_GEOMETRY_AND_TOPOLOGY_CHANGE | MeshModel::MM_VERTQUALITY |
                  MeshModel::MM_VERTCOLOR,

@@ -21,6 +21,7 @@ struct VertexRemovalTask : VertexRemovalParams {
 struct Settings {
   EdgeCollapseParams edge_collapse;
   VertexRemovalTask vertex_removal;
+  SphereParams sphere;
   ClusteringParams clustering;
   ImportanceParams importance;
 };

@@ -36,6 +36,12 @@ constexpr Reference ciolczyk_janczykowski = {"M. Ciolczyk, M. Janczykowski",
 
 constexpr Reference schroeder = {"W. J. Schroeder, J. A. Zarge, W. E. Lorensen",
                                  "Decimation of triangle meshes", "SIGGRAPH 1992"};
+constexpr Reference michaud_mellado_paulin = {"J. Michaud, N. Mellado, M. Paulin",
+                                              "Mesh simplification with curvature error metric",
+                                              "Eurographics posters, 2017"};
+constexpr Reference guennebaud = {"G. Guennebaud, M. Germann, M. Gross",
+                                  "Dynamic sampling and rendering of algebraic point set surfaces",
+                                  "Computer Graphics Forum 27(2), 2008"};
 
 /// The list of references as MeshLab asks for it: authors, title, source. The dialog of MeshLab
 /// 2020.09 does not scroll and would be too high for a screen, so each takes one line.
@@ -57,6 +63,11 @@ const char* const removal_info =
     "holes with triangles. The vertices that stay are vertices of the input and keep all that they "
     "carry, to the bit. A manifold stays one. Edge collapse moves vertices and has a lower error. "
     "The log says what was done.";
+const char* const sphere_info =
+    "Collapse edges by how far the new faces are from spheres fitted to the original surface, and "
+    "place vertices where spheres and planes are nearest: on smooth shapes less error than the "
+    "preset Balanced of <i>Curvature-Enhanced Edge Collapse</i>, in about twice its time. A closed "
+    "manifold stays one; borders and sharp edges are kept. The log says what was done.";
 
 const char* const clustering_info =
     "Put a grid over the mesh and make one vertex of all in a cell: the fastest way to a coarse "
@@ -85,6 +96,9 @@ const std::vector<FilterText>& filter_texts() {
       {FilterId::VertexRemoval, "Simplification: Vertex Removal (Schroeder)",
        "meshing_decimation_vertex_removal", Category::Remeshing,
        removal_info + bibliography({schroeder})},
+      {FilterId::AlgebraicSphere, "Simplification: Algebraic Sphere Edge Collapse",
+       "meshing_decimation_algebraic_sphere", Category::Remeshing,
+       sphere_info + bibliography({michaud_mellado_paulin, guennebaud, lindstrom_turk})},
       {FilterId::VertexClustering, "Simplification: Vertex Clustering with Representatives",
        "meshing_decimation_vertex_clustering", Category::Remeshing,
        clustering_info + bibliography({rossignac_borrel, lindstrom, ciolczyk_janczykowski})},

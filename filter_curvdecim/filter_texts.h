@@ -7,7 +7,13 @@
 namespace curvdecim {
 
 /// The filters of the plugin; the number is the host's id of the action.
-enum class FilterId { CurvatureEdgeCollapse, CurvatureImportance, VertexClustering, VertexRemoval };
+enum class FilterId {
+  CurvatureEdgeCollapse,
+  CurvatureImportance,
+  VertexClustering,
+  VertexRemoval,
+  AlgebraicSphere
+};
 
 /// The submenu of a host's Filters menu.
 enum class Category { Remeshing, QualityMeasure };

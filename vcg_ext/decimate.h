@@ -23,10 +23,13 @@ inline bool may_refine(const EdgeCollapseParams& params) {
          params.placement != Placement::HalfEdge;
 }
 
+inline bool may_refine(const SphereParams& params) {
+  return params.refine_sweeps > 0 && params.max_error == 0.0;
+}
+
 /// What the mesh was before the collapses, read once more rather than kept through them.
-template <class MeshType>
-InputSurface read_input(const MeshType& mesh, const EdgeCollapseParams& params,
-                        const Parallel& parallel) {
+template <class MeshType, class Params>
+InputSurface read_input(const MeshType& mesh, const Params& params, const Parallel& parallel) {
   Snapshot snapshot = take_snapshot(mesh, parallel);
   if (params.quality_weight)
     snapshot.mesh.importance = importance_from_quality(mesh, snapshot.vertex_of);
@@ -43,10 +46,10 @@ inline void pack(WorkingMesh& mesh, std::optional<WedgeTexture>& wedges) {
 
 /// Returns the vertices that the refinement moved, with where on the input they take their
 /// attributes from.
-template <class MeshType>
-std::vector<BlendStep> refine(const MeshType& mesh, WorkingMesh& decimated,
-                              const EdgeCollapseParams& params, std::optional<WedgeTexture>& wedges,
-                              const Parallel& parallel, ProgressMeter& progress) {
+template <class MeshType, class Params>
+std::vector<BlendStep> refine(const MeshType& mesh, WorkingMesh& decimated, const Params& params,
+                              std::optional<WedgeTexture>& wedges, const Parallel& parallel,
+                              ProgressMeter& progress) {
   pack(decimated, wedges);
   if (decimated.connectivity.face_count() == 0) return {};  // may be without the link condition
   const InputSurface input = read_input(mesh, params, parallel);
@@ -62,8 +65,8 @@ inline std::size_t expected_collapses(const WorkingMesh& mesh, const StopCriteri
 }
 
 /// The run itself; the mesh changes at its end only. Throws InputError and CancelRequest.
-template <class MeshType>
-void run_edge_collapse(MeshType& mesh, EdgeCollapseParams params, ProgressMeter& progress,
+template <class MeshType, class Params>
+void run_edge_collapse(MeshType& mesh, Params params, ProgressMeter& progress,
                        DecimationReport& report) {
   const Parallel parallel(params.threads, [&] { progress.ask(); });
   Snapshot snapshot = take_snapshot(mesh, parallel);
@@ -75,7 +78,7 @@ void run_edge_collapse(MeshType& mesh, EdgeCollapseParams params, ProgressMeter&
   std::optional<WedgeTexture> wedges = read_wedges(mesh, snapshot);
   note_attributes(mesh, snapshot, wedges, report);
   with_metric(snapshot.mesh, params, snapshot.box.diagonal, [&](auto metric) {
-    EdgeCollapse operation(snapshot.mesh, metric, params, params.scheduler, *stop);
+    EdgeCollapse operation(snapshot.mesh, metric, params, scheduler_of(params), *stop);
     operation.add_observer(blend);
     if (wedges) operation.add_observer(*wedges);
     operation.run(parallel, progress, report);
@@ -84,6 +87,25 @@ void run_edge_collapse(MeshType& mesh, EdgeCollapseParams params, ProgressMeter&
   if (may_refine(params)) refined = refine(mesh, snapshot.mesh, params, wedges, parallel, progress);
   report.max_error *= snapshot.box.diagonal;
   WriteBack<MeshType>(mesh, snapshot).run(blend, refined, wedges);
+}
+
+/// params: EdgeCollapseParams with its preset resolved, or SphereParams.
+template <class MeshType, class Params>
+DecimationReport report_edge_collapse(MeshType& mesh, const Params& params,
+                                      const Progress& progress) {
+  const auto start = std::chrono::steady_clock::now();
+  validate(params);
+  ProgressMeter meter(progress);
+  DecimationReport report = initial_report(mesh);
+  try {
+    run_edge_collapse(mesh, params, meter, report);
+  } catch (const CancelRequest&) {
+    report.stopped_by = StopReason::Cancelled;
+    report.max_error = 0.0;  // nothing changed
+  }
+  finish(mesh, report);
+  report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return report;
 }
 
 /// Decimates a vcg triangle mesh by edge collapse, in place.
@@ -97,19 +119,16 @@ void run_edge_collapse(MeshType& mesh, EdgeCollapseParams params, ProgressMeter&
 template <class MeshType>
 DecimationReport decimate_edge_collapse(MeshType& mesh, const EdgeCollapseParams& requested,
                                         const Progress& progress = {}) {
-  const auto start = std::chrono::steady_clock::now();
-  validate(requested);
-  ProgressMeter meter(progress);
-  DecimationReport report = initial_report(mesh);
-  try {
-    run_edge_collapse(mesh, with_preset(requested), meter, report);
-  } catch (const CancelRequest&) {
-    report.stopped_by = StopReason::Cancelled;
-    report.max_error = 0.0;  // nothing changed
-  }
-  finish(mesh, report);
-  report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return report;
+  return report_edge_collapse(mesh, with_preset(requested), progress);
+}
+
+/// The same by algebraic spheres @cite michaud2017.
+///
+/// Worst case: as decimate_edge_collapse, with 500 bytes of memory a vertex.
+template <class MeshType>
+DecimationReport decimate_algebraic_sphere(MeshType& mesh, const SphereParams& params,
+                                           const Progress& progress = {}) {
+  return report_edge_collapse(mesh, params, progress);
 }
 
 /// Writes to the quality of every vertex of a face the curvature that CurvatureWeighted sees, in

@@ -3,8 +3,10 @@
 
 #include <utility>
 
+#include "vcg_ext/metric/anchored_sphere_metric.h"
 #include "vcg_ext/metric/curvature_additive_metric.h"
 #include "vcg_ext/metric/curvature_weighted_metric.h"
+#include "vcg_ext/metric/interpolated_sphere_metric.h"
 #include "vcg_ext/metric/quadric_metric.h"
 
 namespace curvdecim {
@@ -18,6 +20,21 @@ void with_metric(const WorkingMesh& mesh, const EdgeCollapseParams& params, doub
     case Metric::CurvatureWeighted: return use(CurvatureWeightedMetric(mesh, params, diagonal));
     case Metric::CurvatureAdditive: return use(CurvatureAdditiveMetric(mesh, params));
   }
+}
+
+template <class Use>
+void with_metric(const WorkingMesh& mesh, const SphereParams& params, double, Use use) {
+  switch (params.placement) {
+    case SpherePlacement::Free3D: return use(AnchoredSphereMetric(mesh, params));
+    case SpherePlacement::OnSphereAlongEdge: return use(InterpolatedSphereMetric(mesh, params));
+  }
+}
+
+inline Scheduler scheduler_of(const EdgeCollapseParams& params) { return params.scheduler; }
+
+/// Interpolated spheres have no estimate that is cheaper than the cost itself.
+inline Scheduler scheduler_of(const SphereParams& params) {
+  return params.placement == SpherePlacement::Free3D ? Scheduler::Rounds : Scheduler::Lazy;
 }
 
 /// More take off half a per cent of the error.

@@ -94,17 +94,44 @@ struct CurvatureParams {
   CurvatureOf curvature_of = CurvatureOf::Input;
 };
 
-struct EdgeCollapseParams : DecimationParams, CurvatureParams {
+/// How quadrics are made, and where their merged vertices go.
+struct QuadricParams {
+  Quadrics quadrics = Quadrics::Memoryless;
+  PlaneWeight plane_weight = PlaneWeight::Area;
+  Placement placement = Placement::Optimal;
+};
+
+struct EdgeCollapseParams : DecimationParams, CurvatureParams, QuadricParams {
   Preset preset = Preset::Balanced;
   Metric metric = Metric::CurvatureWeighted;
   double lambda = 1e-3;  ///< >= 0: weight of the additive term, for a mesh of diagonal 1
   CurvatureTerm curvature_term = CurvatureTerm::Melax;
-  Quadrics quadrics = Quadrics::Memoryless;
-  PlaneWeight plane_weight = PlaneWeight::Area;
-  Placement placement = Placement::Optimal;
   Scheduler scheduler = Scheduler::Rounds;
   int refine_sweeps = 0;  ///< >= 0: fits of the vertices and flips of edges after the collapses;
                           ///< none with max_error or HalfEdge
+};
+
+/// What a collapse costs between the spheres and the faces around @cite michaud2017.
+enum class SphereEnergy {
+  Squared,  ///< integral of the squared distance
+  Poster,   ///< sum over the faces of |mean signed distance| times area, as printed
+};
+
+/// Where the merged vertex goes, and so which sphere it gets.
+enum class SpherePlacement {
+  Free3D,             ///< where spheres and planes are nearest; the sphere of all that it has met
+  OnSphereAlongEdge,  ///< on the sphere between those of the edge's ends, as printed
+};
+
+/// Edge collapse by algebraic spheres @cite michaud2017.
+struct SphereParams : DecimationParams {
+  static constexpr double least_kernel_scale = 1.0, largest_kernel_scale = 10.0;
+
+  double kernel_scale = 2.0;    ///< [1, 10]: radius of a fit, to the mean edge around the vertex
+  bool adaptive_kernel = true;  ///< smaller where the fit is bad, larger where it is good
+  SphereEnergy energy = SphereEnergy::Squared;
+  SpherePlacement placement = SpherePlacement::Free3D;
+  int refine_sweeps = 0;  ///< >= 0: as EdgeCollapseParams::refine_sweeps
 };
 
 /// Which vertex goes next @cite schroeder1992.

@@ -49,6 +49,13 @@ inline void validate(const EdgeCollapseParams& params) {
   require_at_least("RefineSweeps", params.refine_sweeps, 0);
 }
 
+inline void validate(const SphereParams& params) {
+  validate(static_cast<const DecimationParams&>(params));
+  require_range("KernelScale", params.kernel_scale, SphereParams::least_kernel_scale,
+                SphereParams::largest_kernel_scale);
+  require_at_least("RefineSweeps", params.refine_sweeps, 0);
+}
+
 inline void validate(const VertexRemovalParams& params) {
   validate(static_cast<const DecimationParams&>(params));
   require_at_least("DistanceBound", params.distance_bound, 0.0);

@@ -8,12 +8,13 @@ from dataclasses import dataclass
 from fnmatch import fnmatchcase
 from pathlib import Path
 
-from decimators import curvdecim, curvdecim_clustering, meshlab, meshlab_clustering
+from decimators import curvdecim, curvdecim_clustering, meshlab, meshlab_clustering, spheres
 
 from peers.adapters import Adapter, HostFilter, Library, Program
 
 OURS, CORE = "CurvDecim", "CurvDecim core"  # in PyMeshLab, and without a host
 FAST, BALANCED, BEST = f"{OURS} Fast", f"{OURS} Balanced", f"{OURS} Best"
+SPHERES = f"{OURS} Spheres"
 CORE_FAST = f"{CORE} Fast"
 BASELINE = "MeshLab quadric"
 MESHOPTIMIZER_UPDATE = "meshoptimizer simplifyWithUpdate"
@@ -79,6 +80,7 @@ def _ours(plugin: Path) -> list[Policy]:
             Policy(f"{CORE} {preset}", CORE, Program("curvdecim", preset), largest_faces=_ANY_SIZE)
             for preset in presets.values()
         ),
+        Policy(SPHERES, OURS, HostFilter(spheres(plugin, SPHERES)), largest_faces=_ANY_SIZE),
         *_our_clustering(plugin),
     ]
 

@@ -13,23 +13,24 @@ namespace {
 using namespace curvdecim;
 
 constexpr FilterId collapse = FilterId::CurvatureEdgeCollapse;
+constexpr FilterId sphere = FilterId::AlgebraicSphere;
 constexpr FilterId importance = FilterId::CurvatureImportance;
 
-const Parameter& row(const std::string& name) {
-  for (const Parameter& parameter : parameter_table())
-    if (parameter.name == name) return parameter;
+const Parameter& row(const std::string& name, FilterId filter) {
+  for (const Parameter* parameter : parameters_of(filter))
+    if (parameter->name == name) return *parameter;
   throw std::out_of_range("no parameter " + name);
 }
 
 Settings with(FilterId filter, const std::string& name, const Value& value) {
   Settings settings;
-  assign(settings, filter, row(name), value);
+  assign(settings, filter, row(name, filter), value);
   return settings;
 }
 
 /// The settings with an enum parameter at the value of this name.
 Settings choosing(const std::string& name, const std::string& choice, FilterId filter = collapse) {
-  const auto& values = row(name).values;
+  const auto& values = row(name, filter).values;
   for (std::size_t i = 0; i < values.size(); ++i)
     if (values[i].name == choice) return with(filter, name, static_cast<int>(i));
   throw std::out_of_range(name + " has no value " + choice);
@@ -44,10 +45,16 @@ std::string refusal(const std::string& name, const Value& value) {
   }
 }
 
-TEST(ParameterTable, HasUniqueNamesAndTexts) {
-  std::set<std::string> names;
+TEST(ParameterTable, HasUniqueNamesInEveryFilter) {
+  for (const FilterText& text : filter_texts()) {
+    std::set<std::string> names;
+    for (const Parameter* parameter : parameters_of(text.id))
+      EXPECT_TRUE(names.insert(parameter->name).second) << text.menu_name << parameter->name;
+  }
+}
+
+TEST(ParameterTable, HasTexts) {
   for (const Parameter& parameter : parameter_table()) {
-    EXPECT_TRUE(names.insert(parameter.name).second) << parameter.name;
     EXPECT_FALSE(parameter.label.empty()) << parameter.name;
     EXPECT_FALSE(parameter.help.empty()) << parameter.name;
     for (const Binding& binding : parameter.bindings)
@@ -127,6 +134,11 @@ TEST(ParameterTable, EnumValuesAreInTheOrderOfTheCore) {
   EXPECT_EQ(choosing("Placement", "HalfEdge").edge_collapse.placement, Placement::HalfEdge);
   EXPECT_EQ(choosing("Scheduler", "Lazy").edge_collapse.scheduler, Scheduler::Lazy);
   EXPECT_EQ(choosing("Scheduler", "Eager").edge_collapse.scheduler, Scheduler::Eager);
+  EXPECT_EQ(choosing("Energy", "Squared", sphere).sphere.energy, SphereEnergy::Squared);
+  EXPECT_EQ(choosing("Energy", "Poster", sphere).sphere.energy, SphereEnergy::Poster);
+  EXPECT_EQ(choosing("Placement", "Free3D", sphere).sphere.placement, SpherePlacement::Free3D);
+  EXPECT_EQ(choosing("Placement", "OnSphereAlongEdge", sphere).sphere.placement,
+            SpherePlacement::OnSphereAlongEdge);
   EXPECT_FALSE(choosing("Output", "Curvature", importance).importance.as_factor);
   EXPECT_TRUE(choosing("Output", "Factor", importance).importance.as_factor);
 }
@@ -147,6 +159,12 @@ TEST(ParameterTable, ValuesReachTheirMemberOnly) {
   EXPECT_FALSE(with(collapse, "PreserveTopology", false).edge_collapse.preserve_topology);
   EXPECT_TRUE(with(collapse, "Selected", true).edge_collapse.selected_only);
   EXPECT_TRUE(with(collapse, "QualityWeight", true).edge_collapse.quality_weight);
+  EXPECT_EQ(with(sphere, "KernelScale", 3.0).sphere.kernel_scale, 3.0);
+  EXPECT_FALSE(with(sphere, "AdaptiveKernel", false).sphere.adaptive_kernel);
+  EXPECT_EQ(with(sphere, "RefineSweeps", 7).sphere.refine_sweeps, 7);
+  EXPECT_EQ(with(sphere, "TargetFaceNum", 7).sphere.target_faces, 7);
+  EXPECT_EQ(with(sphere, "TargetFaceNum", 7).edge_collapse.target_faces,
+            DecimationParams::no_target);
   const Settings settings = with(importance, "Alpha", 0.7);
   EXPECT_EQ(settings.importance.alpha, 0.7);
   EXPECT_EQ(settings.edge_collapse.alpha, CurvatureParams().alpha);
@@ -176,10 +194,12 @@ TEST(ParameterTable, RefusesWhatIsNotFinite) {
 }
 
 TEST(ParameterTable, DefaultsFollowTheMesh) {
-  EXPECT_EQ(default_value(row("TargetFaceNum"), collapse, {1001, 0, 1.0}), Value(500));
-  EXPECT_EQ(default_value(row("TargetFaceNum"), collapse, {1001, 20, 1.0}), Value(10));
-  EXPECT_EQ(default_value(row("Selected"), collapse, {1001, 0, 1.0}), Value(false));
-  EXPECT_EQ(default_value(row("Selected"), collapse, {1001, 20, 1.0}), Value(true));
+  for (FilterId filter : {collapse, sphere}) {
+    EXPECT_EQ(default_value(row("TargetFaceNum", filter), filter, {1001, 0, 1.0}), Value(500));
+    EXPECT_EQ(default_value(row("TargetFaceNum", filter), filter, {1001, 20, 1.0}), Value(10));
+    EXPECT_EQ(default_value(row("Selected", filter), filter, {1001, 0, 1.0}), Value(false));
+    EXPECT_EQ(default_value(row("Selected", filter), filter, {1001, 20, 1.0}), Value(true));
+  }
 }
 
 }  // namespace

@@ -16,6 +16,7 @@ MORE = Path(os.environ.get("CURVDECIM_MESHES", ROOT.parent / "shared" / "meshes"
 DECIMATE = "meshing_decimation_curvature_edge_collapse"
 CLUSTER = "meshing_decimation_vertex_clustering"
 REMOVE = "meshing_decimation_vertex_removal"
+SPHERES = "meshing_decimation_algebraic_sphere"
 IMPORTANCE = "compute_scalar_by_curvature_importance"
 
 

@@ -13,6 +13,7 @@ from desktop import running, screen, wait_for
 from samples import load
 
 DECIMATION = "Simplification: Curvature-Enhanced Edge Collapse"
+SPHERES = "Simplification: Algebraic Sphere Edge Collapse"
 REMOVAL = "Simplification: Vertex Removal (Schroeder)"
 CLUSTERING = "Simplification: Vertex Clustering with Representatives"
 IMPORTANCE = "Curvature Importance"
@@ -103,7 +104,7 @@ def test_decimation_dialog(session, artifacts):
     assert session.logged("stopped_by: target")
 
 
-@pytest.mark.parametrize("name", [DECIMATION, REMOVAL, CLUSTERING])
+@pytest.mark.parametrize("name", [DECIMATION, SPHERES, REMOVAL, CLUSTERING])
 def test_dialog_fits_a_full_hd_screen(session, name):
     """Otherwise its buttons are out of reach, with and without help."""
     dialog = session.open_filter(name)
@@ -117,6 +118,7 @@ def test_dialog_fits_a_full_hd_screen(session, name):
 @pytest.mark.parametrize(
     ("name", "picture", "result"),
     [
+        (SPHERES, "gui_spheres", "cost_last: "),
         (REMOVAL, "gui_removal", "rejected_loop_split: "),
         (CLUSTERING, "gui_clustering", "cell_size: "),
         (IMPORTANCE, "gui_importance", "median: "),

@@ -6,7 +6,7 @@ import pymeshlab
 import pytest
 from measures import flipped_faces, rms_distance, surface, topology
 from pymeshlab_curvdecim import filter_script
-from samples import CLUSTER, DECIMATE, IMPORTANCE, REMOVE, load
+from samples import CLUSTER, DECIMATE, IMPORTANCE, REMOVE, SPHERES, load
 
 TARGET = 1160
 # Single precision moves a vertex by 6e-8 of its coordinates, and may change the order of collapses
@@ -34,7 +34,7 @@ def written(script, directory):
     return file
 
 
-@pytest.mark.parametrize("name", [DECIMATE, REMOVE])
+@pytest.mark.parametrize("name", [DECIMATE, SPHERES, REMOVE])
 def test_decimation_agrees_with_pymeshlab(meshlab, cow, tmp_path, name):
     script = written(filter_script(name, targetfacenum=TARGET), tmp_path)
     run = meshlab.serve(cow, script, tmp_path / "out.ply")

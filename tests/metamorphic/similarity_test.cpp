@@ -47,7 +47,7 @@ class Similarity : public testing::TestWithParam<NamedShape> {
 TEST_P(Similarity, ScalingByAPowerOfTwoScalesTheBits) {
   for (const Variant& variant : all_variants()) {
     SCOPED_TRACE(variant.name);
-    const EdgeCollapseParams params = variant.with_target(shape().face_count() / 4);
+    const AnyParams params = variant.with_target(shape().face_count() / 4);
     const Shape expected = decimated(shape(), params).shape;
     for (int exponent : {-60, -7, 1, 60}) {
       const double factor = std::ldexp(1.0, exponent);
@@ -136,6 +136,20 @@ TEST(Threads, DoNotShowInTheResult) {
         EXPECT_EQ(decimated(sphere, params).shape, expected) << threads << " threads";
       }
     }
+}
+
+TEST(Threads, DoNotShowInTheResultOfSpheres) {
+  const Shape sphere = noisy_sphere(5, 0.01);
+  for (const Variant& variant : sphere_variants()) {
+    SCOPED_TRACE(variant.name);
+    AnyParams params = variant.with_target(4000);
+    shared(params).threads = 1;
+    const Shape expected = decimated(sphere, params).shape;
+    for (int threads : {0, 2, 4}) {
+      shared(params).threads = threads;
+      EXPECT_EQ(decimated(sphere, params).shape, expected) << threads << " threads";
+    }
+  }
 }
 
 TEST(TwoSteps, KeepTheTopologyLikeOne) {

@@ -16,11 +16,10 @@ TEST_P(ErrorBoundOn, IsKeptByEveryVariant) {
   for (double fraction : {1e-3, 1e-2})
     for (const Variant& variant : all_variants()) {
       SCOPED_TRACE(variant.name + " within " + std::to_string(fraction));
-      EdgeCollapseParams params = variant.params;
-      params.max_error = fraction * diagonal(before);
-      const auto [after, report] = decimated(before, params);
-      EXPECT_LE(two_sided_distance(before, after), params.max_error);
-      EXPECT_LE(report.max_error, params.max_error);
+      const double bound = fraction * diagonal(before);
+      const auto [after, report] = decimated(before, variant.with_max_error(bound));
+      EXPECT_LE(two_sided_distance(before, after), bound);
+      EXPECT_LE(report.max_error, bound);
       EXPECT_NE(report.stopped_by, StopReason::Target);
     }
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "support/mesh_types.h"
@@ -19,6 +20,8 @@ DecimationReport decimate(FloatMesh& mesh, const EdgeCollapseParams& params,
                           const Progress& progress = {});
 DecimationReport decimate(RichMesh& mesh, const EdgeCollapseParams& params,
                           const Progress& progress = {});
+DecimationReport decimate(RichMesh& mesh, const SphereParams& params,
+                          const Progress& progress = {});
 void importance(RichMesh& mesh, const ImportanceParams& params);
 
 struct Decimated {
@@ -26,20 +29,36 @@ struct Decimated {
   DecimationReport report;
 };
 
+/// Of any edge collapse.
+using AnyParams = std::variant<EdgeCollapseParams, SphereParams>;
+
+DecimationParams& shared(AnyParams& params);
+
 Decimated decimated(const Shape& shape, const EdgeCollapseParams& params);  ///< double coordinates
+Decimated decimated(const Shape& shape, const AnyParams& params);           ///< double coordinates
 Decimated decimated_float(const Shape& shape,
-                          const EdgeCollapseParams& params);  ///< single coordinates
+                          const EdgeCollapseParams& params);             ///< single coordinates
+Decimated decimated_float(const Shape& shape, const AnyParams& params);  ///< single coordinates
 
 EdgeCollapseParams to_faces(int faces);
+SphereParams spheres_to_faces(int faces);
 
-/// One of the 48 ways to combine metric, quadrics, plane weight and placement, with its name.
+/// A way to decimate, with its name.
 struct Variant {
   std::string name;
-  EdgeCollapseParams params;
+  AnyParams params;
 
-  EdgeCollapseParams with_target(int faces) const;
+  AnyParams with_target(int faces) const;
+  AnyParams with_max_error(double length) const;
 };
 
+/// The 48 ways to combine metric, quadrics, plane weight and placement.
+std::vector<Variant> quadric_variants();
+
+/// The 4 ways to combine energy and placement.
+std::vector<Variant> sphere_variants();
+
+/// Both.
 std::vector<Variant> all_variants();
 
 }  // namespace curvdecim::test

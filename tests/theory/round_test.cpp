@@ -106,6 +106,29 @@ TEST(Sphere, KeepsItsVerticesNearItself) {
   }
 }
 
+/// As printed, vertices lie on the interpolated spheres.
+TEST(Sphere, OfAHundredFacesHasItsVerticesOnItselfByInterpolatedSpheres) {
+  for (SphereEnergy energy : {SphereEnergy::Squared, SphereEnergy::Poster}) {
+    SphereParams params = spheres_to_faces(100);
+    params.energy = energy, params.placement = SpherePlacement::OnSphereAlongEdge;
+    const Shape after = decimated(icosphere(5), params).shape;
+    EXPECT_EQ(after.face_count(), 100);
+    for (const Point& p : after.vertices) EXPECT_NEAR(p.norm(), 1.0, 1e-3);
+  }
+}
+
+/// Free in space they lie outside, so that faces are as far in as out: half the error.
+TEST(Sphere, OfAHundredFacesLiesOnBothSidesOfItselfByAnchoredSpheres) {
+  const Shape sphere = icosphere(5);
+  SphereParams params = spheres_to_faces(100);
+  const Shape free = decimated(sphere, params).shape;
+  params.placement = SpherePlacement::OnSphereAlongEdge;
+  const Shape on = decimated(sphere, params).shape;
+  EXPECT_LT(two_sided_rms(sphere, free), 0.6 * two_sided_rms(sphere, on));
+  EXPECT_NEAR(volume(free) / volume(sphere), 1.0, 0.03);
+  EXPECT_LT(volume(on) / volume(sphere), 0.95);
+}
+
 TEST(Sphere, KeepsItsVolume) {
   const Shape after = decimated(icosphere(4), to_faces(320)).shape;
   EXPECT_NEAR(volume(after) / volume(icosphere(4)), 1.0, 0.005);

@@ -23,13 +23,21 @@ namespace curvdecim {
 class QuadricMetric {
  public:
   QuadricMetric(const WorkingMesh& mesh, const EdgeCollapseParams& params)
-      : mesh_(mesh), params_(params), memoryless_(params.quadrics == Quadrics::Memoryless) {}
+      : QuadricMetric(mesh, params, params) {}
+
+  QuadricMetric(const WorkingMesh& mesh, const DecimationParams& params,
+                const QuadricParams& quadrics)
+      : mesh_(mesh),
+        params_(params),
+        plane_weight_(quadrics.plane_weight),
+        placement_(quadrics.placement),
+        memoryless_(quadrics.quadrics == Quadrics::Memoryless) {}
 
   /// factors: by vertex, on the weight of planes; a face has the mean of its corners'. None: 1.
   void initialize(const Parallel& parallel, std::vector<float> factors = {}) {
     factor_ = std::move(factors);
     sum_.resize(mesh_.position.size());
-    ConstraintQuadrics(mesh_, params_, params_.plane_weight)
+    ConstraintQuadrics(mesh_, params_, plane_weight_)
         .build(parallel, [&](int v, const Symmetric3& plane) { sum_[v].a += plane; });
     parallel.for_each(static_cast<int>(sum_.size()), [&](int v) {
       const Symmetric3 around = matrix_around(v), input = around + sum_[v].a * factor(v);
@@ -44,13 +52,26 @@ class QuadricMetric {
     const QuadricOfEdge q =
         sum_about_midpoint(sum_[edge.a].quadric(), sum_[edge.b].quadric(), half);
     const Placed placed =
-        place(q, half, allowed, params_.placement, volume_plane(edge, half, allowed, wings));
+        place(q, half, allowed, placement_, volume_plane(edge, half, allowed, wings));
     double cost = placed.value;
     if (cost <= rounding * rounding * half.squaredNorm() * q.sum.a.trace()) cost = 0.0;
     if (placed.offset == -half) return Candidate{cost, a, 0.0};  // not rounded: the vertex itself
     if (placed.offset == half) return Candidate{cost, b, 1.0};
     return Candidate{cost, a + (half + placed.offset), placed.t};
   }
+
+  /// Distances below this part of the edge are rounding (of float coordinates; the sums are
+  /// better): all edges in a plane cost exactly nothing.
+  static constexpr double rounding = 1e-7;
+
+  /// The sum of both ends' quadrics about the edge's midpoint.
+  Quadric of_edge(Edge edge) const {
+    const Vector3 half = 0.5 * (mesh_.position[edge.b] - mesh_.position[edge.a]);
+    return sum_about_midpoint(sum_[edge.a].quadric(), sum_[edge.b].quadric(), half).sum;
+  }
+
+  /// Sum of the weights of the vertex's planes.
+  double weight(int v) const { return sum_[v].a.trace(); }
 
   double factor(int v) const { return factor_.empty() ? 1.0 : factor_[v]; }
 
@@ -61,7 +82,7 @@ class QuadricMetric {
   /// volume, which moves a vertex along more than it lifts it.
   void estimate(int v, const std::vector<int>& others, std::vector<double>& costs) const {
     costs.resize(others.size());
-    if (params_.placement != Placement::Optimal) return estimate_one_by_one(v, others, costs);
+    if (placement_ != Placement::Optimal) return estimate_one_by_one(v, others, costs);
     const Vector3& at = mesh_.position[v];
     const Quadric quadric = sum_[v].quadric();
     const VertexPair both(at, quadric, at, quadric);
@@ -91,7 +112,7 @@ class QuadricMetric {
       const int f = around.star()[i];
       const Symmetric3 lost = matrix(f);
       const Symmetric3 won =
-          plane_matrix(after[i], params_.plane_weight, factor_after(f, edge, merged_factor));
+          plane_matrix(after[i], plane_weight_, factor_after(f, edge, merged_factor));
       for (int v : mesh_.connectivity.face(f))
         sum_[v].a += v == edge.a || v == edge.b ? lost * -1.0 : won - lost;
     }
@@ -119,10 +140,6 @@ class QuadricMetric {
       costs[i] = evaluate({v, others[i]}, Allowed::Anywhere, Vector3::Zero())->cost;
   }
 
-  /// Distances below this part of the edge are rounding (of float coordinates; the sums are
-  /// better): all edges in a plane cost exactly nothing.
-  static constexpr double rounding = 1e-7;
-
   /// How much of the input's planes a memoryless vertex carries: enough that thin parts are not
   /// worn away collapse by collapse, too little to show elsewhere.
   static constexpr double memory = 0.1;
@@ -143,7 +160,7 @@ class QuadricMetric {
 
   /// Of the plane of face f, about any of its corners.
   Symmetric3 matrix(int f) const {
-    return plane_matrix(mesh_.plane[f], params_.plane_weight, factor_after(f, no_edge, 0.0));
+    return plane_matrix(mesh_.plane[f], plane_weight_, factor_after(f, no_edge, 0.0));
   }
 
   /// The mean of the factors of face f's corners, if the edge's ends became one vertex.
@@ -167,7 +184,7 @@ class QuadricMetric {
 
   Symmetric3 boundary(int v) const {
     if (mesh_.kind[v] != VertexKind::Boundary) return {};
-    return boundary_matrix(mesh_, v, params_.plane_weight) * params_.boundary_weight;
+    return boundary_matrix(mesh_, v, plane_weight_) * params_.boundary_weight;
   }
 
   /// Around it a collapse changes no boundary, and no face falls onto another.
@@ -202,7 +219,7 @@ class QuadricMetric {
   /// defined: on boundaries and curves.
   std::optional<VolumePlane> volume_plane(Edge edge, const Vector3& half, Allowed allowed,
                                           const Vector3& wings) const {
-    if (!memoryless_ || allowed != Allowed::Anywhere || params_.placement != Placement::Optimal ||
+    if (!memoryless_ || allowed != Allowed::Anywhere || placement_ != Placement::Optimal ||
         mesh_.kind[edge.a] != VertexKind::Interior)
       return std::nullopt;
     const Vector3 a = area_vector_around(mesh_, edge.a), b = area_vector_around(mesh_, edge.b);
@@ -210,7 +227,9 @@ class QuadricMetric {
   }
 
   const WorkingMesh& mesh_;
-  const EdgeCollapseParams& params_;
+  const DecimationParams& params_;
+  const PlaneWeight plane_weight_;
+  const Placement placement_;
   const bool memoryless_;
   std::vector<Carried> sum_;   // by vertex, about it; memoryless: of planes remembered and current
   std::vector<float> factor_;  // by vertex, or empty: on the weight of planes

@@ -35,20 +35,23 @@ inline double total_area(const InputSurface& surface) {
   return sum;
 }
 
-/// By vertex: how much an error there counts, as it does in the collapses.
-inline std::vector<double> error_weights(const WorkingMesh& mesh, const EdgeCollapseParams& params,
-                                         double diagonal, const Parallel& parallel) {
+/// By vertex: how much an error there counts, as it does in the collapses, but for its importance.
+inline std::vector<double> metric_weights(const WorkingMesh& mesh, const EdgeCollapseParams& params,
+                                          double diagonal, const Parallel& parallel) {
   std::vector<double> weights(mesh.position.size(), 1.0);
-  if (params.metric == Metric::CurvatureWeighted) {
-    const CurvatureField field = curvature_field(mesh, params, parallel);
-    const CurvatureWeight weight = curvature_weight(params, field, diagonal);
-    for (std::size_t v = 0; v < weights.size(); ++v) {
-      const double saturation = weight.saturation(field.value[v]);
-      weights[v] = weight.of_edge(saturation, saturation);
-    }
+  if (params.metric != Metric::CurvatureWeighted) return weights;
+  const CurvatureField field = curvature_field(mesh, params, parallel);
+  const CurvatureWeight weight = curvature_weight(params, field, diagonal);
+  for (std::size_t v = 0; v < weights.size(); ++v) {
+    const double saturation = weight.saturation(field.value[v]);
+    weights[v] = weight.of_edge(saturation, saturation);
   }
-  for (std::size_t v = 0; v < mesh.importance.size(); ++v) weights[v] *= mesh.importance[v];
   return weights;
+}
+
+inline std::vector<double> metric_weights(const WorkingMesh& mesh, const SphereParams&, double,
+                                          const Parallel&) {
+  return std::vector<double>(mesh.position.size(), 1.0);
 }
 
 /// The mean of the corners' weights, over the mean of the surface.
@@ -66,9 +69,11 @@ inline void set_face_weights(const std::vector<double>& of_vertex, InputSurface&
 }
 
 /// mesh: without collapses; diagonal: of the input in its own unit.
-inline InputSurface input_surface(WorkingMesh mesh, const EdgeCollapseParams& params,
-                                  double diagonal, const Parallel& parallel) {
-  const std::vector<double> weights = error_weights(mesh, params, diagonal, parallel);
+template <class Params>
+InputSurface input_surface(WorkingMesh mesh, const Params& params, double diagonal,
+                           const Parallel& parallel) {
+  std::vector<double> weights = metric_weights(mesh, params, diagonal, parallel);
+  for (std::size_t v = 0; v < mesh.importance.size(); ++v) weights[v] *= mesh.importance[v];
   InputSurface surface;
   surface.weight.reserve(mesh.connectivity.face_slots());
   surface.border = border_edges(mesh);
