@@ -8,7 +8,7 @@ import pymeshlab
 import pytest
 from drawn_meshes import TETRAHEDRON, bumpy_sheet, mesh_set
 from measures import non_manifold_edges, surface
-from samples import DECIMATE
+from samples import DECIMATE, SPHERES
 
 NAN, INFINITY = float("nan"), float("inf")
 BAD_PARAMETERS = [
@@ -40,17 +40,25 @@ def state(mesh):
     return mesh.vertex_matrix().tobytes(), mesh.face_matrix().tobytes()
 
 
-def assert_refused(meshes, words, **options):
+def assert_refused(meshes, words, filter_name=DECIMATE, **options):
     """The filter says what is wrong, in these words, and leaves the mesh as it was."""
     before = state(meshes.current_mesh())
     with pytest.raises(pymeshlab.PyMeshLabException, match=f"(?is){words}"):
-        meshes.apply_filter(DECIMATE, **options)
+        meshes.apply_filter(filter_name, **options)
     assert state(meshes.current_mesh()) == before
 
 
 @pytest.mark.parametrize(("name", "value"), BAD_PARAMETERS)
 def test_bad_parameter_is_named(name, value):
     assert_refused(mesh_set(*bumpy_sheet()), name.rstrip("_"), **{name: value})
+
+
+@pytest.mark.parametrize(
+    ("name", "value"),
+    [("targetfacenum", -1), ("targetperc", NAN), ("kernelscale", 0.9), ("kernelscale", 10.1)],
+)
+def test_bad_parameter_of_spheres_is_named(name, value):
+    assert_refused(mesh_set(*bumpy_sheet()), name, SPHERES, **{name: value})
 
 
 def test_selected_without_a_selection_is_refused():
