@@ -57,12 +57,6 @@ def test_option_has_an_effect(name):
     assert not np.array_equal(*results)
 
 
-@pytest.mark.parametrize("scale", [0.9, 10.1])
-def test_refuses_a_kernel_out_of_range(scale):
-    with pytest.raises(pymeshlab.PyMeshLabException, match="KernelScale"):
-        mesh_set(*bumpy_sheet()).apply_filter(SPHERES, kernelscale=scale)
-
-
 def test_promised_error_is_kept():
     meshes = load("cow.obj")
     original = surface(meshes)

@@ -8,7 +8,7 @@ import pymeshlab
 import pytest
 from drawn_meshes import TETRAHEDRON, bumpy_sheet, mesh_set
 from measures import non_manifold_edges, surface
-from samples import DECIMATE, REMOVE
+from samples import DECIMATE, REMOVE, SPHERES
 
 NAN, INFINITY = float("nan"), float("inf")
 BAD_PARAMETERS = [
@@ -46,6 +46,12 @@ REMOVAL_PARAMETERS = [
     ("distancebound", pymeshlab.PureValue(-1.0)),
     ("targetvertnum", -1),
 ]
+SPHERE_PARAMETERS = [
+    ("targetfacenum", -1),
+    ("targetperc", NAN),
+    ("kernelscale", 0.9),
+    ("kernelscale", 10.1),
+]
 
 
 def assert_refused(meshes, words, filter_name=DECIMATE, **options):
@@ -64,6 +70,11 @@ def test_bad_parameter_is_named(name, value):
 @pytest.mark.parametrize(("name", "value"), REMOVAL_PARAMETERS)
 def test_bad_parameter_of_vertex_removal_is_named(name, value):
     assert_refused(mesh_set(*bumpy_sheet()), name, REMOVE, **{name: value})
+
+
+@pytest.mark.parametrize(("name", "value"), SPHERE_PARAMETERS)
+def test_bad_parameter_of_spheres_is_named(name, value):
+    assert_refused(mesh_set(*bumpy_sheet()), name, SPHERES, **{name: value})
 
 
 def test_selected_without_a_selection_is_refused():
