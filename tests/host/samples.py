@@ -17,6 +17,7 @@ DECIMATE = "meshing_decimation_curvature_edge_collapse"
 CLUSTER = "meshing_decimation_vertex_clustering"
 REMOVE = "meshing_decimation_vertex_removal"
 SPHERES = "meshing_decimation_algebraic_sphere"
+STEPWISE = (DECIMATE, SPHERES, REMOVE)
 IMPORTANCE = "compute_scalar_by_curvature_importance"
 
 

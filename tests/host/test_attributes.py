@@ -4,7 +4,7 @@
 import numpy as np
 import pytest
 from drawn_meshes import bumpy_sheet, mesh_set
-from samples import DECIMATE
+from samples import STEPWISE
 
 RED, BLUE = (1.0, 0.0, 0.0, 1.0), (0.0, 0.0, 1.0, 1.0)
 COLOUR_STEP = 1 / 255  # PyMeshLab stores 8 bits a channel
@@ -19,11 +19,16 @@ def affine(points, columns):
     return points @ gradients[:columns].T + offsets[:columns]
 
 
-def decimated_sheet(**attributes):
-    vertices, faces = bumpy_sheet(CELLS)
-    meshes = mesh_set(vertices, faces, **attributes)
-    meshes.apply_filter(DECIMATE, targetperc=0.25)
-    return meshes
+@pytest.fixture(params=STEPWISE)
+def decimated_sheet(request):
+    """The sheet with these attributes, by each filter."""
+
+    def decimated(**attributes):
+        meshes = mesh_set(*bumpy_sheet(CELLS), **attributes)
+        meshes.apply_filter(request.param, targetperc=0.25)
+        return meshes
+
+    return decimated
 
 
 def assert_affine(values, points, step=0.0):
@@ -44,25 +49,25 @@ def left_faces():
     return vertices[faces].mean(axis=1)[:, 0] < 0.5
 
 
-def test_vertex_colour(vertices):
+def test_vertex_colour(decimated_sheet, vertices):
     meshes = decimated_sheet(v_color_matrix=affine(vertices, 4))
     mesh = meshes.current_mesh()
     assert_affine(mesh.vertex_color_matrix(), mesh.vertex_matrix(), COLOUR_STEP)
 
 
-def test_vertex_quality(vertices):
+def test_vertex_quality(decimated_sheet, vertices):
     meshes = decimated_sheet(v_scalar_array=affine(vertices, 1)[:, 0])
     mesh = meshes.current_mesh()
     assert_affine(mesh.vertex_scalar_array()[:, None], mesh.vertex_matrix())
 
 
-def test_vertex_texture_coordinates(vertices):
+def test_vertex_texture_coordinates(decimated_sheet, vertices):
     meshes = decimated_sheet(v_tex_coords_matrix=affine(vertices, 2))
     mesh = meshes.current_mesh()
     assert_affine(mesh.vertex_tex_coord_matrix(), mesh.vertex_matrix())
 
 
-def test_wedge_texture_coordinates(vertices):
+def test_wedge_texture_coordinates(decimated_sheet, vertices):
     corners = bumpy_sheet(CELLS)[1].ravel()
     meshes = decimated_sheet(w_tex_coords_matrix=affine(vertices[corners], 2))
     mesh = meshes.current_mesh()
@@ -70,7 +75,7 @@ def test_wedge_texture_coordinates(vertices):
     assert_affine(mesh.wedge_tex_coord_matrix(), points)
 
 
-def test_face_colour(left_faces):
+def test_face_colour(decimated_sheet, left_faces):
     meshes = decimated_sheet(f_color_matrix=np.where(left_faces[:, None], RED, BLUE))
     mesh = meshes.current_mesh()
     centres = mesh.vertex_matrix()[mesh.face_matrix()].mean(axis=1)[:, 0]
@@ -79,7 +84,7 @@ def test_face_colour(left_faces):
     assert (colours[centres > 0.6] == BLUE).all()
 
 
-def test_face_quality(left_faces):
+def test_face_quality(decimated_sheet, left_faces):
     meshes = decimated_sheet(f_scalar_array=np.where(left_faces, 7.0, -2.0))
     mesh = meshes.current_mesh()
     centres = mesh.vertex_matrix()[mesh.face_matrix()].mean(axis=1)[:, 0]
@@ -87,7 +92,7 @@ def test_face_quality(left_faces):
     assert (mesh.face_scalar_array()[centres > 0.6] == -2).all()
 
 
-def test_normals_belong_to_the_result():
+def test_normals_belong_to_the_result(decimated_sheet):
     meshes = decimated_sheet()
     mesh = meshes.current_mesh()
     a, b, c = (mesh.vertex_matrix()[mesh.face_matrix()[:, k]] for k in range(3))
@@ -110,7 +115,7 @@ def directions_agree(one, other):
     return np.einsum("ij,ij->i", one, other) / lengths
 
 
-def test_bounding_box_belongs_to_the_result():
+def test_bounding_box_belongs_to_the_result(decimated_sheet):
     meshes = decimated_sheet()
     mesh = meshes.current_mesh()
     assert np.array_equal(mesh.bounding_box().min(), mesh.vertex_matrix().min(axis=0))

@@ -8,7 +8,7 @@ import pymeshlab
 import pytest
 from drawn_meshes import TETRAHEDRON, bumpy_sheet, mesh_set
 from measures import non_manifold_edges, surface
-from samples import DECIMATE, REMOVE, SPHERES
+from samples import DECIMATE, REMOVE, SPHERES, STEPWISE
 
 NAN, INFINITY = float("nan"), float("inf")
 BAD_PARAMETERS = [
@@ -206,12 +206,13 @@ def moebius_strip(cells=40):
     ],
 )
 @pytest.mark.parametrize("fraction", [0.5, 0.05])
-def test_flawed_mesh_gives_a_valid_result_or_a_reason(draw, fraction):
+@pytest.mark.parametrize("name", STEPWISE)
+def test_flawed_mesh_gives_a_valid_result_or_a_reason(draw, fraction, name):
     meshes = mesh_set(*draw())
     mesh = meshes.current_mesh()
     flaws, before = non_manifold_edges(surface(meshes)), state(mesh)
     try:
-        report = meshes.apply_filter(DECIMATE, targetperc=fraction)
+        report = meshes.apply_filter(name, targetperc=fraction)
     except pymeshlab.PyMeshLabException as error:
         assert len(str(error)) > 20
         assert state(mesh) == before

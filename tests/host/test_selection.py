@@ -4,7 +4,7 @@
 import numpy as np
 import pytest
 from measures import surface, topology
-from samples import DECIMATE, load
+from samples import DECIMATE, STEPWISE, load
 
 CONDITION = "x0 + x1 + x2 > 0"
 
@@ -25,20 +25,22 @@ def half_cow():
     return meshes
 
 
+@pytest.mark.parametrize("name", STEPWISE)
 @pytest.mark.parametrize("options", [{}, {"selected": True}])
-def test_unselected_faces_stay_to_the_bit(half_cow, options):
+def test_unselected_faces_stay_to_the_bit(half_cow, name, options):
     mesh = half_cow.current_mesh()
     kept, before = corners(mesh, selected=False), topology(surface(half_cow))
-    half_cow.apply_filter(DECIMATE, targetperc=0.5, **options)
+    half_cow.apply_filter(name, targetperc=0.5, **options)
     after = corners(mesh, selected=False) | corners(mesh, selected=True)
     assert kept <= after
     assert topology(surface(half_cow)) == before
 
 
-def test_target_counts_selected_faces(half_cow):
+@pytest.mark.parametrize("name", STEPWISE)
+def test_target_counts_selected_faces(half_cow, name):
     mesh = half_cow.current_mesh()
     total, selected = mesh.face_number(), mesh.selected_face_number()
-    half_cow.apply_filter(DECIMATE, targetfacenum=selected // 2)
+    half_cow.apply_filter(name, targetfacenum=selected // 2)
     assert mesh.selected_face_number() in (selected // 2, selected // 2 - 1)
     assert mesh.face_number() == total - selected + mesh.selected_face_number()
 
