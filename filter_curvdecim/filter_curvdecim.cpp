@@ -29,21 +29,18 @@ Progress progress_of(vcg::CallBackPos* callback) {
   return [callback](int percent, const char* stage) { return callback(percent, stage); };
 }
 
-/// Brings up to date what the host keeps about a mesh beside the mesh.
-void refresh(MeshModel& mesh) {
+/// Brings up to date what the host keeps about a mesh beside the mesh, if that changed.
+Outcome refreshed(MeshModel& mesh, Outcome outcome) {
+  if (!outcome.mesh_changed) return outcome;
   mesh.clearDataMask(MeshModel::MM_FACEFACETOPO | MeshModel::MM_VERTFACETOPO);
   mesh.cm.sfn = count_selected(mesh.cm.face);
   mesh.cm.svn = count_selected(mesh.cm.vert);
-}
-
-Outcome refreshed(MeshModel& mesh, Outcome outcome) {
-  if (outcome.mesh_changed) refresh(mesh);
   return outcome;
 }
 
 Outcome run_removal(MeshModel& mesh, const Settings& settings, const Progress& progress) {
-  const Outcome outcome = decimate_by_removal(mesh.cm, settings.vertex_removal, progress);
-  if (outcome.mesh_changed) refresh(mesh);
+  const Outcome outcome =
+      refreshed(mesh, decimate_by_removal(mesh.cm, settings.vertex_removal, progress));
   if (settings.vertex_removal.show_classes)
     mesh.updateDataMask(MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR);
   return outcome;

@@ -63,6 +63,7 @@ const char* const removal_info =
     "holes with triangles. The vertices that stay are vertices of the input and keep all that they "
     "carry, to the bit. A manifold stays one. Edge collapse moves vertices and has a lower error. "
     "The log says what was done.";
+
 const char* const sphere_info =
     "Collapse edges by how far the new faces are from spheres fitted to the original surface, and "
     "place vertices where spheres and planes are nearest: on smooth shapes less error than the "

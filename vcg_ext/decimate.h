@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <chrono>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -93,19 +92,10 @@ void run_edge_collapse(MeshType& mesh, Params params, ProgressMeter& progress,
 template <class MeshType, class Params>
 DecimationReport report_edge_collapse(MeshType& mesh, const Params& params,
                                       const Progress& progress) {
-  const auto start = std::chrono::steady_clock::now();
-  validate(params);
-  ProgressMeter meter(progress);
-  DecimationReport report = initial_report(mesh);
-  try {
-    run_edge_collapse(mesh, params, meter, report);
-  } catch (const CancelRequest&) {
-    report.stopped_by = StopReason::Cancelled;
-    report.max_error = 0.0;  // nothing changed
-  }
-  finish(mesh, report);
-  report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return report;
+  return reported(mesh, params, progress, "no edge is left that may collapse",
+                  [&](ProgressMeter& meter, DecimationReport& report) {
+                    run_edge_collapse(mesh, params, meter, report);
+                  });
 }
 
 /// Decimates a vcg triangle mesh by edge collapse, in place.

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <optional>
 #include <vector>
@@ -68,19 +67,10 @@ void run_vertex_removal(MeshType& mesh, VertexRemovalParams params, ProgressMete
 template <class MeshType>
 DecimationReport decimate_vertex_removal(MeshType& mesh, const VertexRemovalParams& params,
                                          const Progress& progress = {}) {
-  const auto start = std::chrono::steady_clock::now();
-  validate(params);
-  ProgressMeter meter(progress);
-  DecimationReport report = initial_report(mesh);
-  try {
-    run_vertex_removal(mesh, params, meter, report);
-  } catch (const CancelRequest&) {
-    report.stopped_by = StopReason::Cancelled;
-    report.max_error = 0.0;  // nothing changed
-  }
-  finish(mesh, report, "no vertex is left that may go");
-  report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return report;
+  return reported(mesh, params, progress, "no vertex is left that may go",
+                  [&](ProgressMeter& meter, DecimationReport& report) {
+                    run_vertex_removal(mesh, params, meter, report);
+                  });
 }
 
 /// The class of every vertex of a face, by vcg vertex; nullopt: no face uses it. Throws InputError.

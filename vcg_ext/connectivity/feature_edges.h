@@ -31,7 +31,7 @@ class FeatureEdges {
     parallel.for_each(connectivity.face_slots(), [&](int f) {
       const Face& face = connectivity.face(f);
       for (int i = 0; i < 3; ++i) {
-        const int a = face[i], b = face[(i + 1) % 3], g = face_across(f, a, b);
+        const int a = face[i], b = face[(i + 1) % 3], g = connectivity.face_across(f, a, b);
         marks_[f][i] = g >= 0 ? mark(f, g, a, b) : EdgeMark::None;
       }
     });
@@ -69,12 +69,6 @@ class FeatureEdges {
 
  private:
   EdgeMark mark_from(int f, int v) const { return marks_[f][connectivity_.corner(f, v)]; }
-
-  int face_across(int f, int a, int b) const {
-    for (int g : connectivity_.faces_of(a))
-      if (g != f && connectivity_.face_has(g, b)) return g;
-    return -1;
-  }
 
   const TriangleConnectivity& connectivity_;
   std::vector<EdgeMarks> marks_;  // by face

@@ -96,6 +96,13 @@ class TriangleConnectivity {
     return faces;
   }
 
+  /// Another face at the edge ab of f, or -1; of several the first in a's list.
+  int face_across(int f, int a, int b) const {
+    for (int g : faces_of(a))
+      if (g != f && face_has(g, b)) return g;
+    return -1;
+  }
+
   Removed remove_face(int f) {
     Removed removed{1, 0};
     for (int v : faces_[f]) {

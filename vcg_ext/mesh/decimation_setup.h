@@ -4,6 +4,7 @@
 #include <vcg/complex/complex.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -12,7 +13,9 @@
 #include "vcg_ext/mesh/snapshot.h"
 #include "vcg_ext/operators/stop_criterion.h"
 #include "vcg_ext/params.h"
+#include "vcg_ext/progress_meter.h"
 #include "vcg_ext/report.h"
+#include "vcg_ext/validation.h"
 
 namespace curvdecim {
 
@@ -156,8 +159,7 @@ std::optional<StopCriterion> set_up(const MeshType& mesh, const DecimationParams
 
 /// What is left, and why it is more than was asked for. exhausted: what the run had no more of.
 template <class MeshType>
-void finish(const MeshType& mesh, DecimationReport& report,
-            const char* exhausted = "no edge is left that may collapse") {
+void finish(const MeshType& mesh, DecimationReport& report, const char* exhausted) {
   report.faces = mesh.fn;
   report.vertices = mesh.vn;
   if (report.stopped_by == StopReason::Cancelled)
@@ -170,6 +172,26 @@ void finish(const MeshType& mesh, DecimationReport& report,
     note += std::string(" Most were refused by ") +
             rejection_names[most - report.rejected.begin()] + '.';
   report.notes.push_back(note);
+}
+
+/// What every step by step decimation has around its run(meter, report): parameters that are
+/// refused, cancel, time, and the report's end.
+template <class MeshType, class Params, class Run>
+DecimationReport reported(MeshType& mesh, const Params& params, const Progress& progress,
+                          const char* exhausted, Run run) {
+  const auto start = std::chrono::steady_clock::now();
+  validate(params);
+  ProgressMeter meter(progress);
+  DecimationReport report = initial_report(mesh);
+  try {
+    run(meter, report);
+  } catch (const CancelRequest&) {
+    report.stopped_by = StopReason::Cancelled;
+    report.max_error = 0.0;  // nothing changed
+  }
+  finish(mesh, report, exhausted);
+  report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return report;
 }
 
 }  // namespace curvdecim

@@ -77,17 +77,10 @@ class ConstraintQuadrics {
     unsigned held = 0;
     for (int i = 0; i < 3; ++i) {
       if (smooth[face[i]] || smooth[face[(i + 1) % 3]]) continue;
-      const int across = face_across(f, face[i], face[(i + 1) % 3]);
+      const int across = mesh_.connectivity.face_across(f, face[i], face[(i + 1) % 3]);
       if (across < 0 || is_feature(f, across)) held |= 1u << i;
     }
     return static_cast<std::uint8_t>(held);
-  }
-
-  /// The other face at the edge, or -1.
-  int face_across(int f, int a, int b) const {
-    for (int g : mesh_.connectivity.faces_of(a))
-      if (g != f && mesh_.connectivity.face_has(g, b)) return g;
-    return -1;
   }
 
   bool is_feature(int f, int g) const {

@@ -61,8 +61,8 @@ inline void set_face_weights(const std::vector<double>& of_vertex, InputSurface&
     const auto [a, b, c] = surface.connectivity.face(f);
     const double weight = (of_vertex[a] + of_vertex[b] + of_vertex[c]) / 3.0;
     surface.weight.push_back(static_cast<float>(weight));
-    sum += weight * surface.area(f);
-    area += surface.area(f);
+    const double face_area = surface.area(f);
+    sum += weight * face_area, area += face_area;
   }
   for (float& weight : surface.weight)
     weight = sum > 0.0 ? static_cast<float>(weight * (area / sum)) : 1.0f;
