@@ -39,9 +39,11 @@ void add_rejections(const DecimationReport& report, std::initializer_list<Reject
 
 }  // namespace
 
-Outcome outcome_of(const DecimationReport& report, const DecimationParams& params) {
+Outcome outcome_of(const DecimationReport& report, const DecimationParams& params,
+                   double pair_distance) {
   Outcome outcome = counts_of(report);
   if (params.max_error > 0.0) outcome.results.push_back({"max_error", report.max_error});
+  if (pair_distance > 0.0) outcome.results.push_back({"pairs_contracted", report.pairs_contracted});
   outcome.results.push_back({"cost_last", report.cost_last});
   add_rejections(report,
                  {Rejection::LinkCondition, Rejection::NormalFlip, Rejection::TriangleShape,

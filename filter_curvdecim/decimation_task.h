@@ -36,7 +36,8 @@ struct Outcome {
 /// "name: value"
 std::string log_line(const Result& result);
 
-Outcome outcome_of(const DecimationReport& report, const DecimationParams& params);
+Outcome outcome_of(const DecimationReport& report, const DecimationParams& params,
+                   double pair_distance = 0.0);
 Outcome outcome_of(const ClusteringReport& report);
 Outcome outcome_of_removal(const DecimationReport& report);
 
@@ -49,7 +50,7 @@ double percentile(const std::vector<double>& sorted, double fraction);
 template <class MeshType>
 Outcome decimate_by_edge_collapse(MeshType& mesh, const EdgeCollapseParams& params,
                                   const Progress& progress) {
-  return outcome_of(decimate_edge_collapse(mesh, params, progress), params);
+  return outcome_of(decimate_edge_collapse(mesh, params, progress), params, params.pair_distance);
 }
 
 template <class MeshType>

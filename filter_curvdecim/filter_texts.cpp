@@ -13,9 +13,6 @@ struct Reference {
   const char* source;
 };
 
-constexpr Reference garland_heckbert = {"M. Garland, P. S. Heckbert",
-                                        "Surface simplification using quadric error metrics",
-                                        "SIGGRAPH 1997"};
 constexpr Reference lindstrom_turk = {"P. Lindstrom, G. Turk",
                                       "Fast and memory efficient polygonal simplification",
                                       "IEEE Visualization 1998"};
@@ -53,10 +50,10 @@ std::string bibliography(std::initializer_list<Reference> references) {
   return html;
 }
 
+// One line of the highest dialog: another would push its buttons off a full HD screen.
 const char* const edge_collapse_info =
-    "Collapse edges, cheapest first, and spend the faces that remain where the surface is curved. "
-    "A closed manifold stays one; borders and sharp edges are kept. <i>Curvature Importance</i> "
-    "shows what a setting protects. The log says what was done.";
+    "Collapse edges by quadrics (Garland, Heckbert) and keep what is curved, borders and sharp "
+    "edges. <i>Curvature Importance</i> shows what is protected.";
 
 const char* const removal_info =
     "Remove vertices one by one, those nearest to the surface that is left first, and fill the "
@@ -92,8 +89,7 @@ const std::vector<FilterText>& filter_texts() {
   static const std::vector<FilterText> texts = {
       {FilterId::CurvatureEdgeCollapse, "Simplification: Curvature-Enhanced Edge Collapse",
        "meshing_decimation_curvature_edge_collapse", Category::Remeshing,
-       edge_collapse_info +
-           bibliography({garland_heckbert, lindstrom_turk, pellizzoni_savio, yao})},
+       edge_collapse_info + bibliography({pellizzoni_savio, yao})},
       {FilterId::VertexRemoval, "Simplification: Vertex Removal (Schroeder)",
        "meshing_decimation_vertex_removal", Category::Remeshing,
        removal_info + bibliography({schroeder})},

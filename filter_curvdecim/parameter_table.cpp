@@ -329,8 +329,17 @@ std::vector<Parameter> guard_rows() {
       {"PreserveTopology", "Preserve topology", Kind::Bool, any, "",
        "Refuse a collapse that closes a hole, pinches a handle, joins parts or makes an edge of "
        "three faces. With <i>Maximum error</i> such a collapse is always refused.",
-       "Keep holes, handles and parts; make no edge of three faces.",
+       "Keep holes, handles and parts.",
        {}, collapse<&DecimationParams::preserve_topology>()},
+      {"PairDistance", "Join what is closer than (0: nothing)", Kind::Length, at_least(0),
+       "in the mesh's unit",
+       "Two vertices that no edge connects may merge, too, where they were closer than this in the "
+       "input: parts join and gaps close, and many small parts become few instead of vanishing "
+       "(Garland and Heckbert). Given as a length or as per cent of the bounding box's diagonal. "
+       "Turns <i>Preserve topology</i> off, and the presets to one step at a time; edges of three "
+       "faces may result. Not together with <i>Maximum error</i>. 0: only edges collapse.",
+       "Turns <i>Preserve topology</i> off.",
+       {}, {edge_collapse<&EdgeCollapseParams::pair_distance>()}},
       {"FeatureAngle", "Feature angle (degrees; 180: no features)",
        Kind::Float, {0.0, 180.0}, "degrees",
        "An edge between faces whose normals differ by at least this is sharp, and is kept like a "
@@ -344,7 +353,7 @@ std::vector<Parameter> guard_rows() {
                     "Edges with at least this angle between their faces are sharp.")})},
       {"Selected", "Simplify only selected faces", Kind::Bool, any, "",
        "The rest of the mesh stays as it is, to the bit. The targets then count selected faces.",
-       "The rest of the mesh stays as it is; targets count selected faces.",
+       "Targets count selected faces.",
        {}, every_decimation<&DecimationParams::selected_only,
                             &ClusteringParams::selected_only>(MeshDefault::FacesSelected)},
       {"QualityWeight", "Weighted simplification", Kind::Bool, any, "",

@@ -57,6 +57,17 @@ std::vector<BlendStep> refine(const MeshType& mesh, WorkingMesh& decimated, cons
   return refinement.attributes();
 }
 
+/// What only PairDistance allows, and what came of it.
+inline void note_pairs(const WorkingMesh& mesh, DecimationReport& report) {
+  int non_manifold = 0;
+  for (int v = 0; v < mesh.connectivity.vertex_slots(); ++v)
+    non_manifold += mesh.kind[v] >= VertexKind::Curve && mesh.connectivity.faces_of(v).size() > 0;
+  report.notes.push_back("PreserveTopology was off because of PairDistance: " +
+                         std::to_string(report.pairs_contracted) +
+                         " unconnected pairs were contracted, and " + std::to_string(non_manifold) +
+                         " vertices are non-manifold now.");
+}
+
 /// To have room for: the rounds number some that are refused in the end.
 inline std::size_t expected_collapses(const WorkingMesh& mesh, const StopCriterion& stop) {
   constexpr double ample = 1.2;
@@ -70,18 +81,23 @@ void run_edge_collapse(MeshType& mesh, Params params, ProgressMeter& progress,
   const Parallel parallel(params.threads, [&] { progress.ask(); });
   Snapshot snapshot = take_snapshot(mesh, parallel);
   params.max_error /= snapshot.box.diagonal;
+  const double pair_distance = pair_distance_of(params) / snapshot.box.diagonal;
+  if (pair_distance > 0.0) params.preserve_topology = false;
   const std::optional<StopCriterion> stop = set_up(mesh, params, snapshot, report);
   if (!stop) return;
+  if (pair_distance == 0.0) note_open_seams(snapshot, report);
   BlendRecord blend(has_varying_attributes(mesh, snapshot.vertex_of),
                     expected_collapses(snapshot.mesh, *stop));
   std::optional<WedgeTexture> wedges = read_wedges(mesh, snapshot);
   note_attributes(mesh, snapshot, wedges, report);
   with_metric(snapshot.mesh, params, snapshot.box.diagonal, [&](auto metric) {
-    EdgeCollapse operation(snapshot.mesh, metric, params, scheduler_of(params), *stop);
+    EdgeCollapse operation(snapshot.mesh, metric, params, scheduler_of(params), pair_distance,
+                           *stop);
     operation.add_observer(blend);
     if (wedges) operation.add_observer(*wedges);
     operation.run(parallel, progress, report);
   });
+  if (pair_distance > 0.0) note_pairs(snapshot.mesh, report);
   std::vector<BlendStep> refined;
   if (may_refine(params)) refined = refine(mesh, snapshot.mesh, params, wedges, parallel, progress);
   report.max_error *= snapshot.box.diagonal;

@@ -37,6 +37,9 @@ inline Scheduler scheduler_of(const SphereParams& params) {
   return params.placement == SpherePlacement::Free3D ? Scheduler::Rounds : Scheduler::Lazy;
 }
 
+inline double pair_distance_of(const EdgeCollapseParams& params) { return params.pair_distance; }
+inline double pair_distance_of(const SphereParams&) { return 0.0; }
+
 /// More take off half a per cent of the error.
 inline constexpr int best_refine_sweeps = 3;
 

@@ -109,6 +109,8 @@ struct EdgeCollapseParams : DecimationParams, CurvatureParams, QuadricParams {
   Scheduler scheduler = Scheduler::Rounds;
   int refine_sweeps = 0;  ///< >= 0: fits of the vertices and flips of edges after the collapses;
                           ///< none with max_error or HalfEdge
+  double pair_distance = 0.0;  ///< >= 0, length: unconnected vertices of the input that are closer
+                               ///< may merge; turns preserve_topology off, not with max_error
 };
 
 /// What a collapse costs between the spheres and the faces around @cite michaud2017.

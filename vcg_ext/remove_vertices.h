@@ -44,6 +44,7 @@ void run_vertex_removal(MeshType& mesh, VertexRemovalParams params, ProgressMete
   Snapshot snapshot = take_snapshot(mesh, parallel);
   const std::optional<StopCriterion> stop = set_up(mesh, params, snapshot, report);
   if (!stop) return;
+  note_open_seams(snapshot, report);
   params.max_error /= snapshot.box.diagonal;
   std::optional<WedgeTexture> wedges = read_wedges(mesh, snapshot);
   note_faux_edges(mesh, report);

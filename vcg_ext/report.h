@@ -42,6 +42,7 @@ struct DecimationReport {
   double max_error = 0.0;  ///< guaranteed two-sided bound in the mesh's unit; 0 when not asked for
   double cost_last = 0.0;  ///< cost of the last collapse, for a mesh of diagonal 1
   std::array<std::int64_t, rejection_names.size()> rejected{};  ///< by Rejection
+  std::int64_t pairs_contracted = 0;  ///< merges of unconnected vertices, with PairDistance
   double seconds = 0.0;
   std::vector<std::string> notes;  ///< repairs, warnings and the reason of the stop, for the log
 

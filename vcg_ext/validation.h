@@ -47,6 +47,11 @@ inline void validate(const EdgeCollapseParams& params) {
   validate(static_cast<const CurvatureParams&>(params));
   require_at_least("Lambda", params.lambda, 0.0);
   require_at_least("RefineSweeps", params.refine_sweeps, 0);
+  require_at_least("PairDistance", params.pair_distance, 0.0);
+  if (params.pair_distance > 0.0 && params.max_error > 0.0)
+    throw InputError(
+        "PairDistance and MaxError are both given, but no bound is known where parts join. Set one "
+        "of them to 0.");
 }
 
 inline void validate(const SphereParams& params) {

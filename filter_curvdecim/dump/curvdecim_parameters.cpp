@@ -137,6 +137,8 @@ void print_results() {
   std::cout << "\n* `max_error`: no point of either surface is further than this from the other, "
                "in the mesh's unit; only "
                "with `MaxError`\n"
+               "* `pairs_contracted`: how many unconnected pairs of vertices merged; only with "
+               "`PairDistance`\n"
                "* `cost_last`: the cost of the last collapse, for a mesh of diagonal 1\n"
                "* `rejected_<reason>`: how many collapses each guard refused\n"
                "* `seconds`: wall time\n";

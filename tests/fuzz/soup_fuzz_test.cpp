@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Edge collapse of tiny triangle soups, with random parameters.
+// Step by step decimation of tiny triangle soups, with random parameters.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "support/decimation.h"
 #include "support/properties.h"
+#include "support/removal.h"
 #include "support/soups.h"
 
 namespace curvdecim::test {
@@ -108,6 +109,40 @@ TEST_P(Fuzz, IsSoundWithoutTheTopologyGuard) {
     const Shape after = decimated(input, params).shape;
     if (input.face_count() > params.target_faces) expect_sound(usable, after);
   });
+}
+
+TEST_P(Fuzz, IsSoundWithPairs) {
+  for (double distance : {0.5, 1.1, 5.0})  // the grid's unit is 1
+    for_each_case([&](const Shape& input, const Shape& usable, EdgeCollapseParams params) {
+      params.pair_distance = distance;
+      const auto [after, report] = decimated(input, params);
+      if (input.face_count() > params.target_faces) expect_sound(usable, after);
+      EXPECT_TRUE(distance >= 1.0 || report.pairs_contracted == 0);
+    });
+}
+
+TEST_P(Fuzz, BySpheresNeverDamagesTheTopology) {
+  for (const Variant& variant : sphere_variants())
+    for_each_case([&](const Shape& input, const Shape& usable, const EdgeCollapseParams& random) {
+      AnyParams params = variant.params;
+      shared(params) = random;
+      const Shape after = decimated(input, params).shape;
+      if (input.face_count() <= random.target_faces) return;
+      expect_sound(usable, after);
+      expect_no_worse_topology(usable, after);
+    });
+}
+
+TEST_P(Fuzz, ByVertexRemovalNeverDamagesTheTopology) {
+  for (const RemovalVariant& variant : removal_variants())
+    for_each_case([&](const Shape& input, const Shape& usable, const EdgeCollapseParams& random) {
+      VertexRemovalParams params = variant.of({});
+      static_cast<DecimationParams&>(params) = random;
+      const Shape after = thinned(input, params).shape;
+      if (input.face_count() <= random.target_faces) return;
+      expect_sound(usable, after);
+      expect_no_worse_topology(usable, after);
+    });
 }
 
 INSTANTIATE_TEST_SUITE_P(Random, Fuzz, testing::ValuesIn(families()), family_name);

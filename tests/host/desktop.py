@@ -69,5 +69,9 @@ class Screen:
         pairs = (line.split("=") for line in lines)
         return {name: int(value) for name, value in pairs}
 
+    def signature(self):
+        """A hash of what the screen shows."""
+        return self._run("import", "-window", "root", "-format", "%#", "info:-")
+
     def picture(self, file):
         self._run("import", "-window", "root", str(file))

@@ -21,6 +21,8 @@ BAD_PARAMETERS = [
     ("targetperc", INFINITY),
     ("maxerror", pymeshlab.PureValue(-1.0)),
     ("maxerror", pymeshlab.PureValue(NAN)),
+    ("pairdistance", pymeshlab.PureValue(-1.0)),
+    ("pairdistance", pymeshlab.PureValue(NAN)),
     ("boundaryweight", -1.0),
     ("normalangle", -1.0),
     ("normalangle", 181.0),
@@ -75,6 +77,12 @@ def test_bad_parameter_of_vertex_removal_is_named(name, value):
 @pytest.mark.parametrize(("name", "value"), SPHERE_PARAMETERS)
 def test_bad_parameter_of_spheres_is_named(name, value):
     assert_refused(mesh_set(*bumpy_sheet()), name, SPHERES, **{name: value})
+
+
+def test_bound_and_pairs_are_refused_together():
+    length = pymeshlab.PureValue(0.1)
+    options = {"targetfacenum": 60, "pairdistance": length, "maxerror": length}
+    assert_refused(mesh_set(*bumpy_sheet()), "PairDistance and MaxError", **options)
 
 
 def test_selected_without_a_selection_is_refused():

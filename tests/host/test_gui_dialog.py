@@ -64,9 +64,10 @@ class Session:
 
     def help(self, dialog, picture):
         """Shows the help texts beside the parameters, keeps a picture, and hides them again."""
-        without = self.display.geometry(dialog)
+        without = self.display.signature()
         self.press("Help", dialog)
-        wait_for(lambda: self.display.geometry(dialog) != without, DIALOG_SECONDS, "help texts")
+        wait_for(lambda: self.display.signature() != without, DIALOG_SECONDS, "help texts")
+        time.sleep(REDRAW_SECONDS)
         self.display.picture(picture)
         self.press("Help", dialog)
 

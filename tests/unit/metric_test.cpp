@@ -242,6 +242,39 @@ TEST(QuadricMetric, MemorylessIsOfTheCurrentMeshAndATenthOfTheInput) {
   }
 }
 
+/// Squared distances to the planes of the faces around v, by area.
+double area_times_distance2(const WorkingMesh& mesh, int v, const Vector3& x) {
+  double sum = 0.0;
+  for (int f : mesh.connectivity.faces_of(v)) {
+    const double distance = mesh.plane[f].normal.dot(x - mesh.position[v]);
+    sum += mesh.plane[f].area * distance * distance;
+  }
+  return sum;
+}
+
+TEST(QuadricMetric, MemorylessCountsTheFacesAroundAMergedPairAnew) {
+  const WorkingMesh input = working_mesh(torus(12, 8));
+  WorkingMesh mesh = input;
+  EdgeCollapseParams params = custom(Quadrics::Memoryless);
+  params.feature_angle = 180.0, params.preserve_topology = false;
+  QuadricMetric metric(mesh, params);
+  metric.initialize(Parallel(1));
+  const Edge pair{16, 50};
+  ASSERT_FALSE(mesh.connectivity.has_edge(pair.a, pair.b));
+  collapse(mesh, pair, 0.5 * (mesh.position[16] + mesh.position[50]), metric);
+  ASSERT_EQ(mesh.connectivity.faces_of(16).size(), 12);
+  for (Edge edge : edges_of(mesh)) {
+    if (edge.a != 16 && edge.b != 16) continue;
+    const int other = edge.a == 16 ? edge.b : edge.a;
+    const Vector3& x = mesh.position[other];
+    const double expected =
+        area_times_distance2(mesh, 16, x) +
+        0.1 * (area_times_distance2(input, 16, x) + area_times_distance2(input, 50, x));
+    EXPECT_NEAR(metric.evaluate({other, 16}, Allowed::OntoA, wings_of(mesh, edge))->cost, expected,
+                1e-6 * expected);
+  }
+}
+
 /// Roots of the factors on both planes and cost: by vertex, after the collapses into `keep`.
 std::vector<double> roots_of_factors(const WorkingMesh& input, const EdgeCollapseParams& params,
                                      int keep, const std::vector<int>& gone) {
@@ -321,6 +354,11 @@ TEST(CurvatureAdditiveMetric, AddsTheTurnAcrossARidgeTimesTheLength) {
               1e-12);
   // Along: each side has an edge face of its own.
   EXPECT_NEAR(additive_term(ridge(), CurvatureTerm::Melax, {11, 12}), 0.0, 1e-12);
+}
+
+TEST(CurvatureAdditiveMetric, AddsTheLengthForAPair) {
+  for (CurvatureTerm term : {CurvatureTerm::Melax, CurvatureTerm::Literal})
+    EXPECT_NEAR(additive_term(plane_grid(4), term, {11, 13}), 0.5, 1e-15);
 }
 
 // --- estimates -----------------------------------------------------------------------------------

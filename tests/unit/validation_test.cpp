@@ -73,5 +73,16 @@ TEST(Validate, LooksAtTheParametersOfEveryBase) {
   EXPECT_NE(refusal([&] { validate(own); }).find("Lambda"), std::string::npos);
 }
 
+TEST(Validate, RefusesPairsWithABoundAndTakesEitherAlone) {
+  EdgeCollapseParams params;
+  params.pair_distance = 0.1;
+  EXPECT_NO_THROW(validate(params));
+  params.max_error = 0.1;
+  EXPECT_NE(refusal([&] { validate(params); }).find("PairDistance and MaxError"),
+            std::string::npos);
+  params.pair_distance = 0.0;
+  EXPECT_NO_THROW(validate(params));
+}
+
 }  // namespace
 }  // namespace curvdecim::test

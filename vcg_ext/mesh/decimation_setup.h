@@ -87,7 +87,8 @@ inline int count_coincident_borders(const WorkingMesh& mesh) {
   return count;
 }
 
-inline void note_repairs(const Snapshot& snapshot, DecimationReport& report) {
+inline void note_repairs(const Snapshot& snapshot, bool preserve_topology,
+                         DecimationReport& report) {
   if (!snapshot.unusable.empty())
     report.notes.push_back("Removed " + std::to_string(snapshot.unusable.size()) +
                            " faces that used a vertex twice or repeated another face.");
@@ -95,8 +96,12 @@ inline void note_repairs(const Snapshot& snapshot, DecimationReport& report) {
   const auto non_manifold = std::count_if(kinds.begin(), kinds.end(),
                                           [](VertexKind k) { return k >= VertexKind::Curve; });
   if (non_manifold > 0)
-    report.notes.push_back(std::to_string(non_manifold) +
-                           " vertices are non-manifold; there will not be more.");
+    report.notes.push_back(std::to_string(non_manifold) + " vertices are non-manifold" +
+                           (preserve_topology ? "; there will not be more." : "."));
+}
+
+/// Where nothing joins them.
+inline void note_open_seams(const Snapshot& snapshot, DecimationReport& report) {
   if (const int coincident = count_coincident_borders(snapshot.mesh); coincident > 0)
     report.notes.push_back(
         std::to_string(coincident) +
@@ -147,7 +152,7 @@ std::optional<StopCriterion> set_up(const MeshType& mesh, const DecimationParams
     snapshot.mesh.importance = importance_from_quality(mesh, snapshot.vertex_of);
     if (snapshot.mesh.importance.empty()) note_no_quality("QualityWeight", report);
   }
-  note_repairs(snapshot, report);
+  note_repairs(snapshot, params.preserve_topology, report);
   const auto outside = params.selected_only
                            ? std::count(snapshot.selected.begin(), snapshot.selected.end(), false)
                            : 0;

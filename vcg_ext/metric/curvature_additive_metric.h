@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -71,6 +72,7 @@ class CurvatureAdditiveMetric {
       least = std::min(least, 0.5 * (1.0 - cosine));
       most = std::max(most, cosine);
     }
+    if (std::isinf(least)) return 1.0;  // a pair has no face: the most that there can be
     return melax ? least : most;
   }
 

@@ -20,6 +20,7 @@ namespace curvdecim {
 /// Greedy edge collapse, cheapest edge first:
 ///
 ///   Rounds? collapse in rounds while they are worth while
+///   PairDistance? vertices that close are edges, too (queue)
 ///   evaluate every edge, keep each vertex's cheapest in the queue
 ///   while the target is not reached:
 ///     edge <- cheapest                            (queue)
@@ -34,11 +35,13 @@ namespace curvdecim {
 template <class MetricType>
 class EdgeCollapse {
  public:
+  /// params: lengths in the unit of the working mesh; so is pair_distance.
   EdgeCollapse(WorkingMesh& mesh, MetricType& metric, const DecimationParams& params,
-               Scheduler scheduler, const StopCriterion& stop)
+               Scheduler scheduler, double pair_distance, const StopCriterion& stop)
       : mesh_(mesh),
         metric_(metric),
         scheduler_(params.preserve_topology ? scheduler : one_by_one(scheduler)),
+        pair_distance_(pair_distance),
         stop_(stop),
         collapser_(mesh, metric, params),
         queue_(0) {}
@@ -53,15 +56,16 @@ class EdgeCollapse {
     progress.begin("Collapsing edges");
     if (const double share = share_of_round(); share > 0.0)
       collapses_ = CollapseRounds(mesh_, collapser_, stop_, share, parallel).run(progress, report);
+    if (pair_distance_ > 0.0)
+      collapser_.add_pairs(VertexPairs(mesh_, pair_distance_, parallel, progress));
     queue_ = EdgeQueue(mesh_.connectivity.vertex_slots());
     int before;
     do {  // a refused edge may have become possible since: ask all once more before giving up
-      before = mesh_.connectivity.face_count();
+      before = collapses_;
       collapser_.end_all_rests();
       fill_queue(parallel);
       report.stopped_by = empty_queue(progress);
-    } while (report.stopped_by == StopReason::NothingLeft &&
-             mesh_.connectivity.face_count() < before);
+    } while (report.stopped_by == StopReason::NothingLeft && collapses_ > before);
     if (report.stopped_by == StopReason::NothingLeft &&
         report.rejected_by(Rejection::ErrorBound) > 0)
       report.stopped_by = StopReason::ErrorBound;
@@ -85,8 +89,7 @@ class EdgeCollapse {
       if (queue_.empty()) return StopReason::NothingLeft;
       if (steps % steps_per_progress == 0) show(progress);
       const Edge edge = queue_.top();
-      const auto candidate =
-          mesh_.connectivity.has_edge(edge.a, edge.b) ? collapser_.evaluate(edge) : std::nullopt;
+      const auto candidate = collapser_.exists(edge) ? collapser_.evaluate(edge) : std::nullopt;
       if (!candidate || is_behind(edge, candidate->cost)) {
         queue_.set(edge.a, collapser_.cheapest(edge.a, scratch_));
         continue;
@@ -125,11 +128,12 @@ class EdgeCollapse {
     collapser_.make_room(++collapses_);
     const auto done = collapser_.collapse(candidate, error_bound, collapses_ - 1, scratch_);
     mesh_.connectivity.count(done.removed);
+    report_->pairs_contracted += scratch_.around.wings().empty();
     report_->cost_last = candidate.cost;
     report_->max_error = std::max(report_->max_error, error_bound);
     queue_.remove(done.gone);
     queue_.remove(done.keep);
-    gather_ring(mesh_, done.keep, ring_);
+    collapser_.gather_mates(done.keep, ring_);
     scheduler_ == Scheduler::Eager ? requeue_ring(done.keep) : offer_ring(done.keep);
   }
 
@@ -160,11 +164,12 @@ class EdgeCollapse {
   WorkingMesh& mesh_;
   MetricType& metric_;
   const Scheduler scheduler_;
+  const double pair_distance_;
   const StopCriterion& stop_;
   EdgeCollapser<MetricType> collapser_;
   EdgeQueue queue_;
   Scratch scratch_;
-  VertexRing ring_;  // of the vertex merged last
+  VertexRing ring_;  // of the vertex merged last, with its partners
   int collapses_ = 0;
   DecimationReport* report_ = nullptr;
 };

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "vcg_ext/guard/collapse_guards.h"
@@ -13,6 +14,7 @@
 #include "vcg_ext/operators/collapse_observer.h"
 #include "vcg_ext/params.h"
 #include "vcg_ext/queue/edge_choices.h"
+#include "vcg_ext/queue/vertex_pairs.h"
 
 namespace curvdecim {
 
@@ -41,11 +43,30 @@ class EdgeCollapser {
         topology_(params.preserve_topology),
         rule_(mesh, params),
         guards_(mesh, params),
+        classifier_(mesh.connectivity),
         rest_(mesh.connectivity.vertex_slots(), 0) {}
 
   void add_observer(CollapseObserver& observer) { observers_.push_back(&observer); }
 
+  /// To be contracted like edges; one collapse at a time then.
+  void add_pairs(VertexPairs pairs) { pairs_ = std::move(pairs); }
+
   // --- candidates -------------------------------------------------------------------------------
+
+  /// Whether it is an edge or a pair still.
+  bool exists(Edge edge) const {
+    return mesh_.connectivity.has_edge(edge.a, edge.b) ||
+           (pairs_.contains(edge.a, edge.b) && valence(edge.a) > 0 && valence(edge.b) > 0);
+  }
+
+  /// What v may merge with: its neighbours, and its partners in pairs.
+  void gather_mates(int v, VertexRing& mates) const {
+    gather_ring(mesh_, v, mates);
+    if (mates.empty()) return;
+    for (int u : pairs_.of(v))
+      if (valence(u) > 0 && !mesh_.connectivity.has_edge(u, v))
+        mates.push_back({u, Vector3::Zero()});
+  }
 
   /// nullopt: the kinds of its ends, or the metric, forbid it.
   std::optional<Candidate> evaluate(Edge edge) const {
@@ -149,6 +170,7 @@ class EdgeCollapser {
     if (!mesh_.importance.empty())
       mesh_.importance[done.keep] +=
           done.t * (mesh_.importance[done.gone] - mesh_.importance[done.keep]);
+    if (pairs_.active()) follow(done, around);
     for (std::size_t i = 0; i < around.star().size(); ++i)
       mesh_.plane[around.star()[i]] = scratch.after[i];
     metric_.merge(done, around);
@@ -194,7 +216,7 @@ class EdgeCollapser {
 
   void gather_options(int v, Scratch& scratch) const {
     scratch.options.clear();
-    gather_ring(mesh_, v, scratch.ring);
+    gather_mates(v, scratch.ring);
     for (const RingVertex& u : scratch.ring) {
       if (u.vertex < v) continue;
       if (const EdgeChoice option = choice(v, u); option.exists())
@@ -212,6 +234,19 @@ class EdgeCollapser {
             mesh_.position[gone],
             candidate.position,
             keep_b ? 1.0 - candidate.t : candidate.t};
+  }
+
+  /// Parts that touch make junctions, and seams that close none: the kinds are told anew. A locked
+  /// vertex has no pairs.
+  void follow(const Collapse& done, const EdgeNeighborhood& around) {
+    pairs_.merge(done.keep, done.gone);
+    if (mesh_.locked[done.keep]) pairs_.forget(done.keep);
+    const auto classify = [&](int v) { mesh_.kind[v] = classifier_.classify(v); };
+    classify(done.keep);
+    for (int v : around.thirds()) classify(v);
+    for (int f : around.star())
+      for (int v : mesh_.connectivity.face(f))
+        if (v != TriangleConnectivity::dead && v != done.keep) classify(v);
   }
 
   /// Where the link condition was not asked for, faces may have fallen onto each other.
@@ -234,6 +269,8 @@ class EdgeCollapser {
   const bool topology_;
   const CollapseRule rule_;
   CollapseGuards guards_;
+  VertexPairs pairs_;
+  VertexClassifier classifier_;      // where there are pairs
   std::vector<std::uint16_t> rest_;  // by vertex: edges still to be passed over
   std::vector<CollapseObserver*> observers_;
 };
