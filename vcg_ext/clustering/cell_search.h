@@ -45,10 +45,11 @@ class CellSearch {
 
  private:
   static constexpr int most_samples = 1 << 13;  // estimates then scatter by some per cent
-  static constexpr double good = 0.01;          // miss, of the target
+  static constexpr double near = 0.03;          // so that they need not be nearer
+  static constexpr double good = 0.02;          // miss, of the target
 
   // The numbers around a jump, found by bisection, rise and fall by some per cent.
-  static constexpr int most_steps_aside = 8;
+  static constexpr int most_steps_aside = 3;
   static constexpr double step_aside = 0.01;  // of the diameter
 
   /// Brackets a diameter's logarithm between too many faces and too few.
@@ -73,7 +74,7 @@ class CellSearch {
 
    private:
     static constexpr int most_steps = 24, most_secants = 8;
-    static constexpr double narrow = 1e-4;
+    static constexpr double narrow = 1e-3;  // by which the numbers around a jump scatter anyway
 
     double low_, high_, at_;
     double power_ = 2.0;  // faces go with the area of a cell
@@ -99,7 +100,7 @@ class CellSearch {
   double estimated() const {
     const double wanted = static_cast<double>(target_) * sample_.size() / mesh_.face_count;
     Secant steps(least_, largest_, 0.5 * (least_ + largest_));
-    for (double ratio = 0.0; steps.goes_on() && std::abs(ratio - 1.0) > good; steps.learn(ratio))
+    for (double ratio = 0.0; steps.goes_on() && std::abs(ratio - 1.0) > near; steps.learn(ratio))
       ratio = faces_of_sample(std::exp(steps.at())) / wanted;
     return steps.at();
   }

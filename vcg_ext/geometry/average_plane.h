@@ -17,13 +17,7 @@ class AveragePlane {
     area_ += area;
   }
 
-  void add(const Triangle& t) {
-    const Vector3 vector = curvdecim::area_vector(t);
-    add(t, vector, vector.norm());
-  }
-
   double area() const { return area_; }
-  const Vector3& area_vector() const { return area_vector_; }
 
   /// 0 where the triangles face nowhere together.
   double distance(const Vector3& p) const {

@@ -52,6 +52,7 @@ class LoopTriangulation {
     if (closes_with_an_edge()) return Outcome::EdgeExists;
     flatten();
     if (!is_height_field()) return Outcome::NoSplit;
+    measure_diagonals();
     Ring ring;
     for (int i = 0; i < corner_count(); ++i) ring.push(i);
     if (!triangulate(ring, accept)) return Outcome::NoSplit;
@@ -85,6 +86,12 @@ class LoopTriangulation {
   static Distance larger(const Distance& a, const Distance& b) {
     return {std::max(a.step, b.step), std::max(a.error, b.error)};
   }
+
+  /// A line between two corners of the loop.
+  struct Diagonal {
+    Distance below;
+    double length2;  // its length by its length as seen along the direction
+  };
 
   struct Split {
     int from, to;  // in the ring
@@ -146,6 +153,9 @@ class LoopTriangulation {
   /// Twice the signed area, in the plane, of the origin and two points.
   static double cross(const Vector3& a, const Vector3& b) { return a.x() * b.y() - a.y() * b.x(); }
 
+  /// Of the triangle from the apex to two corners.
+  double twice_area(int i, int j) const { return twice_area_[i * corner_count() + j]; }
+
   /// Every old face is seen from above, and together they go around the apex once.
   bool is_height_field() const {
     int turns = 0;
@@ -186,14 +196,35 @@ class LoopTriangulation {
     return true;
   }
 
+  /// Every line between two corners that are not next to each other; parts of the loop have no
+  /// others.
+  void measure_diagonals() {
+    const int n = corner_count();
+    twice_area_.resize(n * n), diagonals_.resize(n * n);
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; j < n; ++j) twice_area_[i * n + j] = cross(flat_[i], flat_[j]);
+    for (int i = 0; i + 2 < n; ++i)
+      for (int j = i + 2; j < n - (i == 0); ++j)
+        diagonals_[i * n + j] = diagonals_[j * n + i] = measured_diagonal(i, j);
+  }
+
+  Diagonal measured_diagonal(int i, int j) const {
+    const Vector3 line = flat_[j] - flat_[i];
+    const double flat2 = line.x() * line.x() + line.y() * line.y();
+    return {below_edge(i, j), std::sqrt(flat2 * line.squaredNorm())};
+  }
+
+  const Diagonal& diagonal(int i, int j) const { return diagonals_[i * corner_count() + j]; }
+
   /// The best after another one, if given.
   std::optional<Split> best_split(const Ring& ring, const std::optional<Split>& after) const {
     std::optional<Split> best;
     for (int i = 0; i + 2 < ring.size; ++i)
       for (int j = i + 2; j < ring.size - (i == 0); ++j) {
-        const double aspect_ratio = aspect_ratio_of(ring, i, j);
-        if (!(aspect_ratio > 0.0) || aspect_ratio < least_aspect_ratio_) continue;
-        const Split split{i, j, below_edge(ring[i], ring[j]), aspect_ratio};
+        Split split{i, j, diagonal(ring[i], ring[j]).below, HUGE_VAL};
+        if (best && !(split < *best)) continue;
+        split.aspect_ratio = aspect_ratio_of(ring, i, j);
+        if (!(split.aspect_ratio > 0.0) || split.aspect_ratio < least_aspect_ratio_) continue;
         if ((after && !(*after < split)) || (best && !(split < *best))) continue;
         if (!mesh_.connectivity.has_edge(part_->corners[ring[i]], part_->corners[ring[j]]))
           best = split;
@@ -203,16 +234,22 @@ class LoopTriangulation {
 
   /// Of the line between two corners of the ring; 0 where a corner is on the wrong side.
   double aspect_ratio_of(const Ring& ring, int from, int to) const {
-    const Vector3& a = flat_[ring[from]];
-    const Vector3 line = flat_[ring[to]] - a;
+    const int a = ring[from], b = ring[to];
     double least = HUGE_VAL;
-    for (int i = 0; i < ring.size; ++i) {
-      if (i == from || i == to) continue;
-      const double side = cross(flat_[ring[i]] - a, line);
-      least = std::min(least, from < i && i < to ? side : -side);
-      if (!(least > 0.0)) return 0.0;
-    }
-    return least / std::sqrt((line.x() * line.x() + line.y() * line.y()) * line.squaredNorm());
+    if (!stay_left(ring, from + 1, to, a, b, least) ||
+        !stay_left(ring, to + 1, ring.size, b, a, least) || !stay_left(ring, 0, from, b, a, least))
+      return 0.0;
+    return least / diagonal(a, b).length2;
+  }
+
+  /// Whether some corners of the ring are on one side of a line; least: twice the area of their
+  /// triangles with it.
+  bool stay_left(const Ring& ring, int first, int last, int a, int b, double& least) const {
+    const int n = corner_count();
+    const double *to_a = &twice_area_[a * n], *to_b = &twice_area_[b * n];
+    for (int i = first; i < last && least > 0.0; ++i)
+      least = std::min(least, (to_a[ring[i]] - to_b[ring[i]]) + to_b[a]);
+    return least > 0.0;
   }
 
   // --- distance to the old faces ----------------------------------------------------------------
@@ -221,7 +258,7 @@ class LoopTriangulation {
   /// the corners on its other side.
   Distance below_edge(int from, int to) const {
     const Vector3 &a = flat_[from], &b = flat_[to];
-    const double side = cross(a, b);  // twice the area of the apex and the new edge
+    const double side = twice_area(from, to);
     const int n = corner_count();
     const bool forward = side > 0.0;  // the corners across come after `from`, else after `to`
     const int first = forward ? from : to, last = forward ? to : from;
@@ -229,7 +266,7 @@ class LoopTriangulation {
     Distance largest{0.0, 0.0};
     for (int i = first + 1; i < end; ++i) {
       const Vector3& c = flat_[i % n];
-      const double at_a = cross(c, a), at_b = cross(c, b);
+      const double at_a = twice_area(i % n, from), at_b = twice_area(i % n, to);
       const double t = at_a / (at_a - at_b);  // along the new edge
       const double s = side / (at_b - at_a);  // along the old edge, from the apex
       const double gap = std::abs(a.z() + t * (b.z() - a.z()) - s * c.z());
@@ -262,8 +299,10 @@ class LoopTriangulation {
   const LoopPart* part_ = nullptr;
   const std::vector<double>* errors_ = nullptr;
   double apex_error_ = 0.0;
-  std::vector<Vector3> flat_;    // by corner; the apex is at the origin
-  std::vector<Vector3> normal_;  // by face, not of unit length
+  std::vector<Vector3> flat_;        // by corner; the apex is at the origin
+  std::vector<Vector3> normal_;      // by face, not of unit length
+  std::vector<double> twice_area_;   // by corner and corner
+  std::vector<Diagonal> diagonals_;  // by corner and corner that is not next to it
   std::vector<LoopTriangle> triangles_;
   Distance distance_{};
   int tries_ = 0;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -19,7 +20,7 @@ namespace curvdecim {
 ///   Heap:    estimate every vertex by the paper's distance, least first   (queue)
 ///            while the target is not reached:
 ///              vertex <- least
-///              triangulate the loop around it; refused? drop it           (guard)
+///              triangulate the loop around it; refused? let it rest       (guard)
 ///              further off than estimated, and no longer first? requeue
 ///              remove it, tell observers, estimate its neighbours
 ///   Passes:  while the target is not reached:
@@ -35,7 +36,8 @@ class VertexRemoval {
         stop_(stop),
         scratch_(mesh, params),
         queue_(mesh.position.size()),
-        exact_(mesh.position.size(), 0) {}
+        exact_(mesh.position.size(), 0),
+        rest_(mesh.position.size(), 0) {}
 
   /// Fills max_error (in the unit of the working mesh), cost_last, rejected and stopped_by. Throws
   /// CancelRequest.
@@ -73,6 +75,7 @@ class VertexRemoval {
           for (int v = begin; v < end; ++v) estimates[v] = estimate(v, fan);
         },
         Parallel::heavy);
+    std::fill(rest_.begin(), rest_.end(), 0);
     for (int v = 0; v < count; ++v) enqueue(v, estimates[v]);
   }
 
@@ -86,6 +89,7 @@ class VertexRemoval {
   void enqueue(int v, const std::optional<VertexRemover::Estimate>& estimate) {
     exact_[v] = 0;
     if (!estimate) return queue_.remove(v);
+    if (rest_[v] > 0) return void(--rest_[v]);
     if (queue_.contains(v) && estimate->priority < queue_.entry(v).key) return;
     queue_.set(v, estimate->priority);
   }
@@ -99,6 +103,7 @@ class VertexRemoval {
       if (answer.refusal) {
         ++report_->rejected_by(*answer.refusal);
         queue_.remove(v);
+        rest_[v] = rest_after_refusal(v);
       } else if (is_behind(v, answer)) {
         exact_[v] = 1;
       } else {
@@ -108,6 +113,15 @@ class VertexRemoval {
       }
     }
     return StopReason::Target;
+  }
+
+  /// How often the neighbours of a refused vertex may change before it is asked again: a large loop
+  /// takes long, and what stood in its way is rarely gone at once.
+  std::uint8_t rest_after_refusal(int v) const {
+    constexpr int short_loop = 16;
+    const int valence = static_cast<int>(mesh_.connectivity.faces_of(v).size());
+    return static_cast<std::uint8_t>(
+        std::clamp(valence - short_loop, 0, static_cast<int>(VertexFan::longest)));
   }
 
   /// True if the vertex is further off than estimated, and no longer first; its key is right then.
@@ -179,7 +193,8 @@ class VertexRemoval {
   VertexRemover::Scratch scratch_;
   VertexFan neighbor_fan_;
   IndexedHeap<Priority> queue_;
-  std::vector<char> exact_;  // by vertex: 1 if its key is what evaluate says
+  std::vector<char> exact_;         // by vertex: 1 if its key is what evaluate says
+  std::vector<std::uint8_t> rest_;  // by vertex: changes around it still to be passed over
   DecimationReport* report_ = nullptr;
   ProgressMeter* progress_ = nullptr;
 };

@@ -71,13 +71,17 @@ class VertexRemover {
     if (mesh_.locked[v] || is_hub(v)) return std::nullopt;
     const VertexClass is = class_of(mesh_.kind[v], true, lines_.edges_at(v));
     if (stays(v, is)) return std::nullopt;
-    AveragePlane plane;
-    for (int f : mesh_.connectivity.faces_of(v))
-      plane.add(mesh_.triangle(f), mesh_.plane[f].area_vector(), mesh_.plane[f].area);
+    AveragePlane plane;  // v is the origin
+    Spokes spokes;
+    for (int f : mesh_.connectivity.faces_of(v)) {
+      const auto [a, b] = spokes_of(f, v);
+      plane.add({Vector3::Zero(), a, b}, mesh_.plane[f].area_vector(), mesh_.plane[f].area);
+      spokes.push(a);
+    }
     const bool inside = mesh_.kind[v] == VertexKind::Interior;
     double distance = 0.0;
     if (inside && is != VertexClass::InteriorEdge) {
-      distance = std::min(plane.distance(mesh_.position[v]), distance_to_chords(v));
+      distance = std::min(plane.distance(Vector3::Zero()), distance_to_chords(spokes));
     } else {
       if (!inside && !fan.gather(mesh_.connectivity, v)) return std::nullopt;
       distance = line_weight(v) * line_at(v, fan).distance;
@@ -140,22 +144,36 @@ class VertexRemover {
 
   /// A corner of lines that nothing may leave, or where such a line ends.
   bool stays(int v, VertexClass is) const {
+    if (is == VertexClass::Simple) return false;
     const int held = lines_.held_edges_at(v);
     return is == VertexClass::Complex || held == 1 || (held > 0 && is == VertexClass::Corner);
   }
 
-  /// Of a vertex inside: to the nearest line between two neighbours that it lies between.
-  double distance_to_chords(int v) const {
+  /// From a vertex to its neighbours.
+  struct Spokes {
     std::array<Vector3, VertexFan::longest> to;
-    double least2 = HUGE_VAL;
     int count = 0;
-    for (int f : mesh_.connectivity.faces_of(v)) {
-      const Vector3 a = mesh_.position[mesh_.connectivity.next_vertex(f, v)] - mesh_.position[v];
-      for (int i = 0; i < count; ++i)
-        if (a.dot(to[i]) < 0.0)
-          least2 = std::min(least2, a.cross(to[i]).squaredNorm() / (a - to[i]).squaredNorm());
-      to[count++] = a;
-    }
+
+    void push(const Vector3& spoke) { to[count++] = spoke; }
+  };
+
+  /// To the other corners of f, in its order.
+  std::array<Vector3, 2> spokes_of(int f, int v) const {
+    const Face& face = mesh_.connectivity.face(f);
+    const int at = mesh_.connectivity.corner(f, v);
+    return {mesh_.position[face[(at + 1) % 3]] - mesh_.position[v],
+            mesh_.position[face[(at + 2) % 3]] - mesh_.position[v]};
+  }
+
+  /// Of a vertex inside: to the nearest line between two neighbours that it lies between.
+  static double distance_to_chords(const Spokes& spokes) {
+    double least2 = HUGE_VAL;
+    for (int i = 0; i < spokes.count; ++i)
+      for (int j = 0; j < i; ++j) {
+        const Vector3 &a = spokes.to[i], &b = spokes.to[j];
+        if (a.dot(b) < 0.0)
+          least2 = std::min(least2, a.cross(b).squaredNorm() / (a - b).squaredNorm());
+      }
     return std::sqrt(least2);
   }
 
