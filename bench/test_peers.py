@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The peer benchmark: its pure parts always, each peer's adapter where the peer is set up."""
+"""The peer benchmark's table of policies, records, summary, reports and pictures."""
 
 from __future__ import annotations
 
@@ -9,18 +9,14 @@ from pathlib import Path
 
 import compare_peers
 import library_worker
-import memory
 import numpy as np
 import pytest
 import tables
-from binary_mesh import read_binary, write_binary
-from cell_search import nearest_cell
 from decimators import DEFAULT_PLUGIN
 from matplotlib.image import imread
-from meshes import read_mesh, shipped
-from peers.adapters import Goal, Library, Program
+from meshes import shipped
+from peers.adapters import Library
 from peers.labels import Box, place
-from peers.large import Large, make
 from peers.machine import look
 from peers.mesh_files import MeshFiles
 from peers.plot import draw_summary, points
@@ -39,131 +35,9 @@ from peers.policies import every_policy as policies_of
 from peers.records import Record, Results, load
 from peers.report import every_table
 from peers.summary import best_peer, failed_baselines, geometric_mean, means, standings
-from shape import shape_of, smallest_angles
-from surface import Surface
-from workers import FilterError
 
 POLICIES = policies_of(DEFAULT_PLUGIN)
 COW_FACES, TARGET = 5804, 1160
-
-# --- drawn meshes ---------------------------------------------------------------------------------
-
-EQUILATERAL = Surface([(0, 0, 0), (1, 0, 0), (0.5, math.sqrt(0.75), 0)], [(0, 1, 2)])
-NEEDLE = Surface([(0, 0, 0), (1, 0, 0), (2, 0, 0)], [(0, 1, 2)])  # without area
-APART = Surface(
-    [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 9), (1, 0, 9), (0, 1, 9)], [(0, 1, 2), (3, 4, 5)]
-)
-CROSSING = Surface(
-    [(0, 0, 0), (2, 0, 0), (0, 2, 0), (0.5, 0.5, -1), (0.5, 0.5, 1), (1, 0.2, 1)],
-    [(0, 1, 2), (3, 4, 5)],
-)
-THREE_ON_AN_EDGE = (
-    np.array([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1)], dtype=float),
-    np.array([(0, 1, 2), (1, 0, 3), (0, 1, 4)]),
-)
-
-
-# --- memory ---------------------------------------------------------------------------------------
-
-STATUS = "Name:\tpython\nVmHWM:\t    3000 kB\nVmRSS:\t    1000 kB\nThreads:\t1\n"
-
-
-def test_a_status_line_is_read_in_bytes() -> None:
-    assert memory.status_bytes(STATUS, "VmRSS") == 1000 * 1024
-
-
-@pytest.mark.parametrize("name", ["VmSwap", "HWM", "Name"])
-def test_a_line_that_is_not_there_is_unknown(name: str) -> None:
-    assert memory.status_bytes(STATUS, name) is None
-
-
-def test_growth_is_from_the_resident_set_before_to_the_peak_after() -> None:
-    assert memory.growth(STATUS, STATUS.replace("3000", "5000")) == 4000 * 1024
-    assert memory.growth("", STATUS) is None
-
-
-def test_memory_that_a_call_frees_again_is_counted() -> None:
-    size = 64 * 2**20
-    result, seconds, peak = memory.measure(lambda: len(np.ones(size, dtype=np.uint8)))
-    if peak is None:
-        pytest.skip("this kernel does not forget the peak")
-    assert result == size
-    assert seconds > 0
-    assert 0.98 * size < peak < 1.3 * size  # the kernel counts in steps
-    assert memory.measure(lambda: None)[2] < size / 10
-
-
-# --- files ----------------------------------------------------------------------------------------
-
-
-def test_a_binary_mesh_comes_back_to_the_bit(tmp_path: Path) -> None:
-    vertices, faces = np.array([(1 / 3, 1e-300, -0.0)] * 3), np.array([(0, 1, 2)])
-    write_binary(tmp_path / "mesh.bin", vertices, faces)
-    read = read_binary(tmp_path / "mesh.bin")
-    np.testing.assert_array_equal(read[0], vertices)
-    np.testing.assert_array_equal(read[1], faces)
-
-
-def test_a_binary_mesh_that_ends_early_is_refused(tmp_path: Path) -> None:
-    path = tmp_path / "mesh.bin"
-    write_binary(path, np.zeros((3, 3)), np.array([(0, 1, 2)]))
-    path.write_bytes(path.read_bytes()[:-1])
-    with pytest.raises(ValueError, match="ends too early"):
-        read_binary(path)
-
-
-def test_a_scaled_file_has_the_diagonal_and_the_plain_one_the_coordinates(tmp_path: Path) -> None:
-    mesh = MeshFiles("cow.obj", shipped("cow.obj"), tmp_path)
-    plain, scaled = read_binary(mesh.binary())[0], read_binary(mesh.binary(1000.0))[0]
-    np.testing.assert_array_equal(plain, mesh.arrays[0])
-    assert np.linalg.norm(np.ptp(scaled, axis=0)) == pytest.approx(1000)
-    np.testing.assert_array_equal(read_mesh(mesh.ply())[0], mesh.arrays[0])
-
-
-def test_a_subdivided_mesh_is_made_once(tmp_path: Path) -> None:
-    path = make(Large("cow.obj", 1), shipped("cow.obj"), tmp_path)
-    assert len(read_binary(path)[1]) == 4 * COW_FACES
-    path.write_bytes(b"kept")
-    assert make(Large("cow.obj", 1), shipped("cow.obj"), tmp_path).read_bytes() == b"kept"
-
-
-# --- shape ----------------------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize(("surface", "angle"), [(EQUILATERAL, 60), (APART, 45), (NEEDLE, 0)])
-def test_the_smallest_angle_of_drawn_faces(surface: Surface, angle: float) -> None:
-    assert smallest_angles(surface) == pytest.approx(angle)
-
-
-def test_pieces_and_faces_that_cut_another_are_counted() -> None:
-    apart, crossing = shape_of(APART), shape_of(CROSSING)
-    assert (apart.components, apart.self_intersecting) == (2, 0)
-    assert (crossing.components, crossing.self_intersecting) == (2, 2)
-    assert shape_of(EQUILATERAL).components == 1
-
-
-# --- the search for a cell ------------------------------------------------------------------------
-
-
-def test_the_cell_meets_a_target_that_a_cell_leaves() -> None:
-    cell = nearest_cell(lambda size: round(1 / size**2), 1160)
-    assert round(1 / cell**2) == pytest.approx(1160, abs=1)
-
-
-def test_the_nearest_count_wins_where_the_counts_jump() -> None:
-    counts = {True: 1000, False: 1300}
-    cell = nearest_cell(lambda size: counts[size > 0.03], 1100)
-    assert cell > 0.03
-    assert nearest_cell(lambda size: counts[size > 0.03], 1200.0 + 1) <= 0.03
-
-
-@pytest.mark.parametrize(("count", "end"), [(10, 1e-4), (10**9, 0.5)])
-def test_a_target_out_of_reach_ends_at_the_nearest_end(count: int, end: float) -> None:
-    assert nearest_cell(lambda _: count, 1000) > 0
-    visited: list[float] = []
-    nearest_cell(lambda size: visited.append(size) or count, 1000)
-    assert visited[-1] == pytest.approx(end, rel=1e-3)
-
 
 # --- the table of policies ------------------------------------------------------------------------
 
@@ -413,76 +287,3 @@ def test_figures_of_two_machines_do_not_mix(
     options = options_of(monkeypatch, "--resume")
     with pytest.raises(SystemExit, match="another machine"):
         compare_peers._start(options, look(), POLICIES, tmp_path / "peers.json")
-
-
-# --- the peers that are set up --------------------------------------------------------------------
-
-
-def goal_on(folder: Path, mesh: Path, target: int = TARGET, patience: float = 120.0) -> Goal:
-    return Goal(MeshFiles(mesh.name, mesh, folder), target, "a run", patience)
-
-
-@pytest.fixture(scope="session")
-def versions() -> dict[str, str]:
-    """Of the peers that are there."""
-    return look().versions
-
-
-def tried() -> list:
-    """The first policy of every peer, and whatever clusters or scales."""
-    peers = set()
-    chosen = []
-    for policy in POLICIES:
-        if policy.peer not in peers or policy.adapter.clusters or policy.diagonal:
-            chosen.append(pytest.param(policy, id=policy.name))
-        peers.add(policy.peer)
-    return chosen
-
-
-@pytest.mark.parametrize("policy", tried())
-def test_a_peer_comes_near_the_target_in_the_mesh_s_own_unit(
-    policy: object, versions: dict[str, str], tmp_path: Path
-) -> None:
-    if policy.peer not in versions:
-        pytest.skip(f"{policy.peer} is not set up")
-    goal = replace(goal_on(tmp_path, shipped("cow.obj")), diagonal=policy.diagonal)
-    if policy.adapter.clusters:
-        goal = replace(goal, cell=policy.adapter.find_cell(goal))
-    outcome = policy.adapter.run(goal)
-    assert len(outcome.faces) == pytest.approx(TARGET, rel=0.03)
-    assert 0 < outcome.seconds < 60
-    assert outcome.peak_bytes is None or 0 < outcome.peak_bytes < 100e6
-    extent = np.ptp(goal.mesh.arrays[0], axis=0)
-    used = outcome.vertices[np.unique(outcome.faces)]
-    np.testing.assert_allclose(np.ptp(used, axis=0), extent, rtol=0.1)
-
-
-@pytest.mark.parametrize(("peer", "policy"), [("CGAL", "plane"), ("OpenMesh", "quadric")])
-def test_a_mesh_that_is_no_manifold_is_refused(
-    peer: str, policy: str, versions: dict[str, str], tmp_path: Path
-) -> None:
-    if peer not in versions:
-        pytest.skip(f"{peer} is not set up")
-    write_binary(tmp_path / "fan.bin", *THREE_ON_AN_EDGE)
-    with pytest.raises(FilterError, match="not an oriented manifold"):
-        Program(peer.lower(), policy).run(goal_on(tmp_path, tmp_path / "fan.bin", 1))
-
-
-def test_a_policy_that_a_program_does_not_know_is_an_error(
-    versions: dict[str, str], tmp_path: Path
-) -> None:
-    if "meshoptimizer" not in versions:
-        pytest.skip("meshoptimizer is not set up")
-    with pytest.raises(FilterError, match="meshoptimizer: no Faster"):
-        Program("meshoptimizer", "update+Faster").run(goal_on(tmp_path, shipped("cow.obj")))
-
-
-def test_a_program_that_is_not_there_is_an_error(tmp_path: Path) -> None:
-    with pytest.raises(FilterError, match="no_such_program"):
-        Program("no_such_program", "plane").run(goal_on(tmp_path, shipped("cow.obj")))
-
-
-def test_patience_ends(tmp_path: Path) -> None:
-    slow = next(policy for policy in POLICIES if policy.name == BASELINE)
-    with pytest.raises(FilterError, match=r"MeshLab on cow.* no end after 0\.01 s"):
-        slow.adapter.run(goal_on(tmp_path, shipped("cow.obj"), patience=0.01))

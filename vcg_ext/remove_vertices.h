@@ -2,12 +2,12 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <vector>
 
 #include "vcg_ext/mesh/attribute_notes.h"
 #include "vcg_ext/mesh/decimation_setup.h"
+#include "vcg_ext/mesh/sharp_edges.h"
 #include "vcg_ext/mesh/write_back.h"
 #include "vcg_ext/operators/vertex_removal.h"
 #include "vcg_ext/validation.h"
@@ -18,13 +18,10 @@ namespace curvdecim {
 inline FeatureEdges feature_edges(const WorkingMesh& mesh, const VertexRemovalParams& params,
                                   const std::optional<WedgeTexture>& wedges,
                                   const Parallel& parallel) {
-  const double cosine = std::cos(params.feature_angle * (M_PI / 180.0));
-  const auto is_sharp = [&](int f, int g) {
-    return params.feature_angle < 180.0 && mesh.plane[f].normal.dot(mesh.plane[g].normal) <= cosine;
-  };
+  const SharpEdges sharp(mesh, params.feature_angle);
   return FeatureEdges(mesh.connectivity, parallel, [&](int f, int g, int a, int b) {
     if (wedges && wedges->is_seam(mesh, f, g, a, b)) return EdgeMark::Held;
-    if (!is_sharp(f, g)) return EdgeMark::None;
+    if (!sharp.between(f, g)) return EdgeMark::None;
     return params.preserve_features ? EdgeMark::Held : EdgeMark::Feature;
   });
 }

@@ -2,9 +2,16 @@
 #include "vcg_ext/clustering/first_seen.h"
 
 #include <gtest/gtest.h>
+#include <malloc.h>
 
 namespace curvdecim {
 namespace {
+
+/// Bytes that this process has allocated and not freed.
+std::size_t allocated() {
+  const struct mallinfo2 info = mallinfo2();
+  return info.uordblks + info.hblkhd;
+}
 
 TEST(FirstSeen, NumbersInTheOrderOfAppearance) {
   FirstSeen<std::uint64_t> seen;
@@ -27,6 +34,19 @@ TEST(FirstSeen, KeysThatDifferInTheHighestBitsOnlyDoNotCollide) {
   FirstSeen<std::uint64_t> seen;
   for (std::uint64_t i = 0; i < 4096; ++i) seen.number(i << 52);
   EXPECT_EQ(seen.size(), 4096);
+}
+
+/// As those of cells are, all over a grid of 2^63 places, each asked for ten times.
+TEST(FirstSeen, TakesMemoryByTheNumberOfDifferentKeys) {
+  for (std::size_t count : {1000, 100000}) {
+    const std::size_t before = allocated();
+    FirstSeen<std::uint64_t> seen;
+    for (std::size_t i = 0; i < 10 * count; ++i) seen.number(mixed(i % count) >> 1);
+    ASSERT_EQ(seen.size(), static_cast<int>(count));
+    const std::size_t bytes_a_key = (allocated() - before) / count;
+    EXPECT_GE(bytes_a_key, sizeof(std::uint64_t) + sizeof(int)) << count;
+    EXPECT_LE(bytes_a_key, 64u) << count;
+  }
 }
 
 TEST(Pieces, CoverAllOnceAndInOrder) {

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <vector>
 
 #include "vcg_ext/connectivity/edge_neighborhood.h"
 #include "vcg_ext/geometry/symmetric3.h"
+#include "vcg_ext/mesh/sharp_edges.h"
 #include "vcg_ext/mesh/working_mesh.h"
 #include "vcg_ext/parallel.h"
 #include "vcg_ext/params.h"
@@ -39,11 +38,7 @@ inline Symmetric3 boundary_matrix(const WorkingMesh& mesh, int v, PlaneWeight we
 class ConstraintQuadrics {
  public:
   ConstraintQuadrics(const WorkingMesh& mesh, const DecimationParams& params, PlaneWeight weight)
-      : mesh_(mesh),
-        params_(params),
-        weight_(weight),
-        cos_feature_(std::cos(radians(params.feature_angle))),
-        cos_half_feature_(std::cos(0.5 * radians(params.feature_angle))) {}
+      : mesh_(mesh), params_(params), weight_(weight), sharp_(mesh, params.feature_angle) {}
 
   /// add(v, matrix) for both vertices of each such edge.
   template <class Add>
@@ -60,17 +55,8 @@ class ConstraintQuadrics {
   }
 
  private:
-  static double radians(double degrees) { return degrees * (M_PI / 180.0); }
-
-  /// Sure to have no such edge: inside, and all faces turn from one of them by less than half the
-  /// angle of a feature.
-  bool is_smooth(int v) const {
-    if (mesh_.kind[v] != VertexKind::Interior) return false;
-    const auto faces = mesh_.connectivity.faces_of(v);
-    return std::all_of(faces.begin(), faces.end(), [&](int f) {
-      return mesh_.plane[f].normal.dot(mesh_.plane[*faces.begin()].normal) > cos_half_feature_;
-    });
-  }
+  /// Sure to have no such edge.
+  bool is_smooth(int v) const { return mesh_.kind[v] == VertexKind::Interior && sharp_.none_at(v); }
 
   std::uint8_t held_edges(int f, const std::vector<std::uint8_t>& smooth) const {
     const Face& face = mesh_.connectivity.face(f);
@@ -78,14 +64,9 @@ class ConstraintQuadrics {
     for (int i = 0; i < 3; ++i) {
       if (smooth[face[i]] || smooth[face[(i + 1) % 3]]) continue;
       const int across = mesh_.connectivity.face_across(f, face[i], face[(i + 1) % 3]);
-      if (across < 0 || is_feature(f, across)) held |= 1u << i;
+      if (across < 0 || sharp_.between(f, across)) held |= 1u << i;
     }
     return static_cast<std::uint8_t>(held);
-  }
-
-  bool is_feature(int f, int g) const {
-    return params_.feature_angle < 180.0 &&
-           mesh_.plane[f].normal.dot(mesh_.plane[g].normal) <= cos_feature_;
   }
 
   template <class Add>
@@ -99,7 +80,7 @@ class ConstraintQuadrics {
   const WorkingMesh& mesh_;
   const DecimationParams& params_;
   const PlaneWeight weight_;
-  const double cos_feature_, cos_half_feature_;
+  const SharpEdges sharp_;
 };
 
 }  // namespace curvdecim
