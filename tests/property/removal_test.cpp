@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "support/drawn_meshes.h"
 #include "support/mesh_group.h"
 #include "support/properties.h"
 #include "support/removal.h"
@@ -182,6 +183,16 @@ INSTANTIATE_TEST_SUITE_P(Drawn, RemovalBoundOn,
                                          NamedShape{"three_pages", book(3, 8)},
                                          NamedShape{"two_components", large_and_small_sphere()}),
                          name_of);
+
+/// No line splits the loop of a flat star, so that its middle, which costs nothing, is refused; its
+/// corners, which go one by one, do not wake it each time.
+TEST(RemovalOfAHub, IsSeldomTriedAgain) {
+  Shape star = fan(60);
+  for (int i = 1; i <= 60; i += 2) star.vertices[i] *= 0.5;
+  DecimationReport report = thinned(star, removal_to(20)).report;
+  EXPECT_EQ(report.faces, 20);
+  EXPECT_EQ(report.rejected_by(Rejection::LoopSplit), 1);
+}
 
 TEST(RemovalBound, LeavesFewerFacesWhenItIsWider) {
   for (const Shape& before : {icosphere(3), noisy_sphere(3, 0.02), torus(24, 12), saddle(12)}) {
