@@ -21,26 +21,10 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 // --- cancel --------------------------------------------------------------------------------------
 
 TEST(ClusteringCancel, AtAnyCallLeavesTheMeshAsItWas) {
-  for (const ClusteringParams& params : {to_clusters(300), with_cells(0.1)}) {
-    int calls = 0;
-    RichMesh counted;
-    fill_with_attributes(counted, unit_ball(4));
-    cluster(counted, params, [&](int, const char*) { return ++calls > 0; });
-    ASSERT_GT(calls, 2);
-    for (int last = 1; last <= calls; ++last) {
-      RichMesh mesh;
-      fill_with_attributes(mesh, unit_ball(4));
-      const std::string before = bytes_of(mesh);
-      int call = 0;
-      const ClusteringReport report =
-          cluster(mesh, params, [&](int, const char*) { return ++call < last; });
-      EXPECT_EQ(report.stopped_by, StopReason::Cancelled);
-      EXPECT_EQ(report.faces, report.faces_before);
-      EXPECT_EQ(report.max_error, 0.0);
-      EXPECT_TRUE(bytes_of(mesh) == before) << "cancelled at call " << last;
-      EXPECT_EQ(call, last) << "went on after it was cancelled";
-    }
-  }
+  for (const ClusteringParams& params : {to_clusters(300), with_cells(0.1)})
+    expect_cancel_leaves(unit_ball(4), [&](RichMesh& mesh, const Progress& progress) {
+      return cluster(mesh, params, progress);
+    });
 }
 
 // --- selection -----------------------------------------------------------------------------------

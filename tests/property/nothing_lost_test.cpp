@@ -20,24 +20,9 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 // --- cancel --------------------------------------------------------------------------------------
 
 TEST(Cancel, AtAnyCallLeavesTheMeshAsItWas) {
-  const Shape shape = unit_ball(4);
-  int calls = 0;
-  RichMesh counted;
-  fill_with_attributes(counted, shape);
-  decimate(counted, to_faces(500), [&](int, const char*) { return ++calls > 0; });
-  ASSERT_GT(calls, 2);
-  for (int last = 1; last <= calls; ++last) {
-    RichMesh mesh;
-    fill_with_attributes(mesh, shape);
-    const std::string before = bytes_of(mesh);
-    int call = 0;
-    const DecimationReport report =
-        decimate(mesh, to_faces(500), [&](int, const char*) { return ++call < last; });
-    EXPECT_EQ(report.stopped_by, StopReason::Cancelled);
-    EXPECT_EQ(report.faces, shape.face_count());
-    EXPECT_EQ(bytes_of(mesh), before) << "cancelled at call " << last;
-    EXPECT_EQ(call, last) << "went on after it was cancelled";
-  }
+  expect_cancel_leaves(unit_ball(4), [](RichMesh& mesh, const Progress& progress) {
+    return decimate(mesh, to_faces(500), progress);
+  });
 }
 
 TEST(Progress, RisesFrom0To100AndNamesItsStages) {

@@ -139,4 +139,27 @@ inline void expect_no_adjacency(const RichMesh& mesh) {
     for (int i = 0; i < 3; ++i) EXPECT_TRUE(f.cFFp(i) == nullptr);
 }
 
+/// run(mesh, progress) is cancelled at each of its calls in turn: it ends there, says so, and
+/// leaves the mesh as it was, to the bit.
+template <class Run>
+void expect_cancel_leaves(const Shape& shape, Run run) {
+  int calls = 0;
+  RichMesh counted;
+  fill_with_attributes(counted, shape);
+  run(counted, [&](int, const char*) { return ++calls > 0; });
+  ASSERT_GT(calls, 2);
+  for (int last = 1; last <= calls; ++last) {
+    RichMesh mesh;
+    fill_with_attributes(mesh, shape);
+    const std::string before = bytes_of(mesh);
+    int call = 0;
+    const auto report = run(mesh, [&](int, const char*) { return ++call < last; });
+    EXPECT_EQ(report.stopped_by, StopReason::Cancelled);
+    EXPECT_EQ(report.faces, report.faces_before);
+    EXPECT_EQ(report.max_error, 0.0);
+    EXPECT_TRUE(bytes_of(mesh) == before) << "cancelled at call " << last;
+    EXPECT_EQ(call, last) << "went on after it was cancelled";
+  }
+}
+
 }  // namespace curvdecim::test
