@@ -20,6 +20,8 @@ _WORKER = Path(__file__).with_name("filter_worker.py")
 
 Parameters = dict[str, Any]
 
+REPRESENTATIVES = ("Quadric", "Mean", "WeightedMean", "Median", "CellCenter")  # of our clustering
+
 # MeshLab's own defaults, all of them: what is not given is taken from the last call.
 _MESHLAB_DEFAULTS: Parameters = {
     "targetperc": 0.0,

@@ -16,10 +16,10 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.cm import ScalarMappable
 from matplotlib.colors import Normalize
 from matplotlib.figure import Figure
+from palette import BACKGROUND, FAINT, INK
 from picture import COLOR_MAP, Panel, View, draw
 from surface import Floats, Ints
 
-_BACKGROUND, _INK, _FAINT = "#fbfaf7", "#22262b", "#a9adb3"
 _INCHES_A_COLUMN, _INCHES_A_ROW, _DPI = 5.2, 5.6, 110
 _HISTOGRAM_SHARE = 0.3  # of a row's height
 _TOP_QUANTILE = 0.99  # of the worse result's errors: the end of a row's scale
@@ -45,11 +45,11 @@ def draw_errors(path: Path, rows: Sequence[tuple[View, Sequence[Shown]]]) -> Non
     """A row a model, which has one camera and one scale."""
     columns = max(len(shown) for _, shown in rows)
     path.parent.mkdir(parents=True, exist_ok=True)
-    with matplotlib.rc_context({"font.family": "DejaVu Sans", "text.color": _INK}):
+    with matplotlib.rc_context({"font.family": "DejaVu Sans", "text.color": INK}):
         figure = Figure(
             figsize=(_INCHES_A_COLUMN * columns, _INCHES_A_ROW * len(rows)),
             dpi=_DPI,
-            facecolor=_BACKGROUND,
+            facecolor=BACKGROUND,
             layout="constrained",
         )
         FigureCanvasAgg(figure)
@@ -63,7 +63,7 @@ def _parts(figure: Figure, count: int) -> list:
 
 
 def _draw_row(figure, view: View, shown: Sequence[Shown]) -> None:
-    figure.set_facecolor(_BACKGROUND)
+    figure.set_facecolor(BACKGROUND)
     top = max(float(np.quantile(each.of_original, _TOP_QUANTILE)) for each in shown)
     heights = (1 - _HISTOGRAM_SHARE, _HISTOGRAM_SHARE)
     axes = figure.subplots(2, len(shown), squeeze=False, height_ratios=heights, sharey="row")
@@ -74,7 +74,7 @@ def _draw_row(figure, view: View, shown: Sequence[Shown]) -> None:
         _draw_histogram(column, each.of_original, top)
     scale = ScalarMappable(Normalize(0, top), COLOR_MAP)
     bar = figure.colorbar(scale, ax=axes[0].tolist(), shrink=0.7, extend="max")
-    bar.set_label("error of a vertex, % of the diagonal", color=_INK)
+    bar.set_label("error of a vertex, % of the diagonal", color=INK)
 
 
 def _pictures(view: View, shown: Sequence[Shown], top: float) -> list[Floats]:
@@ -93,12 +93,12 @@ def _draw_histogram(axes: Axes, errors: Floats, top: float) -> None:
     counts, edges = np.histogram(np.minimum(errors, top), _BINS, (0, top))
     colors = matplotlib.colormaps[COLOR_MAP]((edges[:-1] + edges[1:]) / (2 * top))
     axes.bar(edges[:-1], 100 * counts / len(errors), top / _BINS, align="edge", color=colors)
-    axes.set_facecolor(_BACKGROUND)
+    axes.set_facecolor(BACKGROUND)
     axes.set_xlim(0, top)
     axes.set_xlabel("distance of the original's vertices, % of the diagonal")
     axes.set_ylabel("% of them")
-    axes.tick_params(colors=_INK)
+    axes.tick_params(colors=INK)
     for side in ("top", "right"):
         axes.spines[side].set_visible(False)
     for side in ("bottom", "left"):
-        axes.spines[side].set_color(_FAINT)
+        axes.spines[side].set_color(FAINT)

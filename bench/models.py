@@ -83,6 +83,10 @@ class Model:
         outcomes = race(self.path, target, contenders, repeats)
         return [Result(each, self.judge(each.vertices, each.faces)) for each in outcomes]
 
+    def case_name(self, target: int) -> str:
+        """Of the model at so many faces, in tables."""
+        return f"{self.name}, {len(self.faces):,} to {target:,}"
+
     def smoothly_subdivided(self, folder: Path) -> Model:
         """The same model after one step of Loop subdivision, four faces for one."""
         path = folder / f"{self.path.stem}-loop.ply"

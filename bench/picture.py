@@ -10,12 +10,13 @@ from typing import Any
 
 import numpy as np
 import pyvista
+from palette import BACKGROUND, FAINT_INK, INK
 from surface import Floats, Ints
 from vtkmodules.vtkCommonCore import vtkLogger
 
 _CELL_PIXELS = (900, 720)
 _SIDE_MARGIN, _FOOT_MARGIN, _HEAD_MARGIN = 0.06, 0.05, 0.17  # of the cell; the head has the text
-_BACKGROUND, _INK, _FAINT_INK, _EDGES = "#fbfaf7", "#22262b", "#6a7078", "#2b2420"
+_EDGES = "#2b2420"
 _COLORS = ("#d8cfc0", "#e0a458", "#8fb3c9")  # by column
 COLOR_MAP = "turbo"
 _DENSE = 20_000  # faces from which edges are drawn thinner, so that the shape stays visible
@@ -51,7 +52,7 @@ def draw(path: Path, rows: Sequence[tuple[View, Sequence[Panel]]]) -> None:
         window_size=[_CELL_PIXELS[0] * columns, _CELL_PIXELS[1] * len(rows)],
         lighting="light kit",
     )
-    plotter.set_background(_BACKGROUND)
+    plotter.set_background(BACKGROUND)
     for row, (view, panels) in enumerate(rows):
         for column, panel in enumerate(panels):
             plotter.subplot(row, column)
@@ -69,8 +70,8 @@ def _add(plotter: pyvista.Plotter, panel: Panel, color: str) -> None:
     look = _edges(color, len(panel.faces) > _DENSE) if panel.values is None else _map(panel.values)
     plotter.add_mesh(mesh, smooth_shading=False, ambient=0.12, specular=0.1, **look)
     for line, top, size, ink in (
-        (panel.title, 0.925, 16, _INK),
-        (panel.caption, 0.875, 12, _FAINT_INK),
+        (panel.title, 0.925, 16, INK),
+        (panel.caption, 0.875, 12, FAINT_INK),
     ):
         plotter.add_text(
             line, position=(0.04, top), font_size=size, color=ink, font="arial", viewport=True

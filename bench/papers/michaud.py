@@ -83,8 +83,7 @@ class Case:
 
     @property
     def name(self) -> str:
-        model = self.subject.model
-        return f"{model.name}, {len(model.faces):,} to {self.subject.target:,}"
+        return self.subject.model.case_name(self.subject.target)
 
     def rms(self, run: str) -> float:
         return self.runs[run].result.figures.rms

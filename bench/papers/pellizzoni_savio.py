@@ -173,7 +173,7 @@ def table_2(plugin: Path, timed: dict[Model, int]) -> tables.Table:
     for model, target in timed.items():
         contenders = [plain(plugin), penalised(plugin, model, TABLE_ALPHA)]
         without, total = (r.outcome.seconds for r in model.run(target, contenders, REPEATS))
-        name = f"{model.name}, {len(model.faces):,} to {target:,}"
+        name = model.case_name(target)
         table.add_row(name, "CurvDecim", *_time_cells(total, total - without))
     return table
 

@@ -77,7 +77,7 @@ class Case:
 
     @property
     def name(self) -> str:
-        return f"{self.model.name}, {len(self.model.faces):,} to {self.faces:,}"
+        return self.model.case_name(self.faces)
 
     def ratios(self, run: str) -> tuple[float, float, float]:
         """RMS, maximum and time over those of VTK."""

@@ -29,7 +29,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "sample_meshes"))
 
 import numpy as np
 import tables
-from decimators import apply, curvdecim, curvdecim_clustering, run_once
+from decimators import REPRESENTATIVES, apply, curvdecim, curvdecim_clustering, run_once
 from generate import cube, lattice
 from judge import Figures
 from meshes import REPOSITORY, shared_folder, shipped, write_mesh
@@ -39,7 +39,6 @@ from surface import Floats, Ints
 from workers import FilterError
 
 SEED = ("CellCenter", "Mean", "Median", "Quadric")
-REPRESENTATIVES = ("Quadric", "Mean", "WeightedMean", "Median", "CellCenter")
 CELL = 4.0  # per cent of the diagonal
 RUNS = 5
 FRACTIONS = (0.2, 0.05)
@@ -154,7 +153,7 @@ def error_table(done: Sequence[Case]) -> tables.Table:
         "Two-sided RMS at equal face count, % of the diagonal", ("mesh", *REPRESENTATIVES)
     )
     for case in done:
-        name = f"{case.model.name}, {len(case.model.faces):,} to {case.target:,}"
+        name = case.model.case_name(case.target)
         table.add_row(name, *(f"{case.figures[each].rms:.4f}" for each in REPRESENTATIVES))
     return table
 

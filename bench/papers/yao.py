@@ -132,7 +132,7 @@ def error_table(settings: str, run: str, done: Sequence[Case]) -> tables.Table:
     for case in done:
         base, one = case.figures[settings, PLAIN], case.figures[settings, run]
         largest, mean, _ = case.ratios(settings, run)
-        name = f"{case.model.name}, {len(case.model.faces):,} to {case.target:,}"
+        name = case.model.case_name(case.target)
         maxima = f"{base.max:.3f}", f"{one.max:.3f}", f"{largest:.3f}"
         table.add_row(name, *maxima, f"{base.mean:.4f}", f"{one.mean:.4f}", f"{mean:.3f}")
     return table

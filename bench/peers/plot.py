@@ -14,6 +14,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.patheffects import withStroke
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
+from palette import BACKGROUND, FAINT, INK
 
 from peers.labels import Box, place
 from peers.policies import BASELINE, CORE, OURS
@@ -21,10 +22,9 @@ from peers.records import Record
 from peers.summary import means
 
 _INCHES, _DPI = (10.5, 7.5), 160
-_BACKGROUND, _INK, _FAINT = "#fbfaf7", "#22262b", "#a9adb3"
 _OURS_COLOR = "#d2600a"
 _COLORS = {
-    "MeshLab": "#22262b",
+    "MeshLab": INK,
     "CGAL": "#1f5a8c",
     "OpenMesh": "#7a4d9e",
     "meshoptimizer": "#1d7f5f",
@@ -72,10 +72,10 @@ def draw_summary(records: Sequence[Record], path: Path) -> None:
     if not shown:
         return
     path.parent.mkdir(parents=True, exist_ok=True)
-    with matplotlib.rc_context({"font.family": "DejaVu Sans", "text.color": _INK}):
-        figure = Figure(figsize=_INCHES, dpi=_DPI, facecolor=_BACKGROUND, layout="constrained")
+    with matplotlib.rc_context({"font.family": "DejaVu Sans", "text.color": INK}):
+        figure = Figure(figsize=_INCHES, dpi=_DPI, facecolor=BACKGROUND, layout="constrained")
         canvas = FigureCanvasAgg(figure)
-        axes = figure.add_subplot(facecolor=_BACKGROUND)
+        axes = figure.add_subplot(facecolor=BACKGROUND)
         _set_axes(axes, shown)
         for point in shown:
             _draw_point(axes, point)
@@ -96,9 +96,9 @@ def _set_axes(axes: Axes, shown: Sequence[Point]) -> None:
         axis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
         axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
         axis.set_minor_formatter(NullFormatter())
-    axes.axhline(1, color=_FAINT, linewidth=0.8, linestyle=(0, (4, 4)), zorder=0)
-    axes.axvline(1, color=_FAINT, linewidth=0.8, linestyle=(0, (4, 4)), zorder=0)
-    axes.grid(color=_FAINT, alpha=0.25, linewidth=0.6)
+    axes.axhline(1, color=FAINT, linewidth=0.8, linestyle=(0, (4, 4)), zorder=0)
+    axes.axvline(1, color=FAINT, linewidth=0.8, linestyle=(0, (4, 4)), zorder=0)
+    axes.grid(color=FAINT, alpha=0.25, linewidth=0.6)
     axes.spines[["top", "right"]].set_visible(False)
     axes.set_xlabel(f"time of the call, {BASELINE} = 1   (faster to the left)")
     axes.set_ylabel(f"two-sided RMS distance, {BASELINE} = 1   (closer to the bottom)")
@@ -114,7 +114,7 @@ def _draw_point(axes: Axes, point: Point) -> None:
         [point.rms],
         s=_OUR_MARKER if ours else _MARKER,
         color=_color(point),
-        edgecolor=_BACKGROUND,
+        edgecolor=BACKGROUND,
         linewidth=0.8,
         marker="D" if ours else "o",
         zorder=4 if ours else 3,
@@ -122,7 +122,7 @@ def _draw_point(axes: Axes, point: Point) -> None:
 
 
 def _color(point: Point) -> str:
-    return _OURS_COLOR if point.peer == OURS else _COLORS.get(point.peer, _INK)
+    return _OURS_COLOR if point.peer == OURS else _COLORS.get(point.peer, INK)
 
 
 def _draw_labels(axes: Axes, shown: Sequence[Point], renderer: RendererBase) -> None:
@@ -136,7 +136,7 @@ def _draw_labels(axes: Axes, shown: Sequence[Point], renderer: RendererBase) -> 
     for point, anchor, box in zip(order, anchors, place(anchors, sizes, frame), strict=True):
         x, y = to_data.transform(box.centre)
         label = axes.text(x, y, point.policy, ha="center", va="center", zorder=5, **_font(point))
-        label.set_path_effects([withStroke(linewidth=_HALO, foreground=_BACKGROUND)])
+        label.set_path_effects([withStroke(linewidth=_HALO, foreground=BACKGROUND)])
         label.set_in_layout(False)
         start = to_data.transform(box.nearest(anchor))
         axes.plot(

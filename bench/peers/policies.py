@@ -8,7 +8,14 @@ from dataclasses import dataclass
 from fnmatch import fnmatchcase
 from pathlib import Path
 
-from decimators import curvdecim, curvdecim_clustering, meshlab, meshlab_clustering, spheres
+from decimators import (
+    REPRESENTATIVES,
+    curvdecim,
+    curvdecim_clustering,
+    meshlab,
+    meshlab_clustering,
+    spheres,
+)
 
 from peers.adapters import Adapter, HostFilter, Library, Program
 
@@ -88,10 +95,9 @@ def _ours(plugin: Path) -> list[Policy]:
 def _our_clustering(plugin: Path) -> list[Policy]:
     """By cells in the host; the core looks for the target itself, as simplifySloppy does."""
     name = f"{OURS} clustering"
-    representatives = ("Quadric", "Mean", "WeightedMean", "Median", "CellCenter")
     filters = (
         curvdecim_clustering(plugin, f"{name} {each}", representative=each)
-        for each in representatives
+        for each in REPRESENTATIVES
     )
     core = Program("curvdecim", "Clustering")
     return [

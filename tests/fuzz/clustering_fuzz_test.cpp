@@ -22,16 +22,11 @@ ClusteringParams random_params(Dice& dice) {
 
 void expect_sound(const ClusteringParams& params, const Shape& before, const Clustered& done) {
   const auto& [after, report] = done;
-  const Topology is = topology(after);
-  EXPECT_TRUE(all_finite(after));
-  EXPECT_EQ(is.faces_with_repeated_index, 0);
-  EXPECT_EQ(is.duplicate_faces, 0);
-  EXPECT_EQ(is.unreferenced_vertices, 0);
-  EXPECT_GT(after.face_count(), 0);
+  expect_sound_clusters(after);
   EXPECT_EQ(after.face_count() + report.degenerate + report.duplicate + report.crowded,
             before.face_count());
   EXPECT_LE(report.max_error, report.cell_size);
-  EXPECT_TRUE(!params.manifold_edges || is.nonmanifold_edges == 0);
+  EXPECT_TRUE(!params.manifold_edges || topology(after).nonmanifold_edges == 0);
 }
 
 class ClusteringFuzz : public testing::TestWithParam<Family> {};

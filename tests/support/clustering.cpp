@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "support/properties.h"
+
 namespace curvdecim::test {
 
 namespace {
@@ -63,6 +65,15 @@ std::vector<NamedRepresentative> all_representatives() {
   std::vector<NamedRepresentative> all = shape_representatives();
   all.push_back({"MeanByQuality", Representative::WeightedMean, MeanWeight::Quality});
   return all;
+}
+
+void expect_sound_clusters(const Shape& after) {
+  const Topology is = topology(after);
+  EXPECT_TRUE(all_finite(after));
+  EXPECT_EQ(is.faces_with_repeated_index, 0);
+  EXPECT_EQ(is.duplicate_faces, 0);
+  EXPECT_EQ(is.unreferenced_vertices, 0);
+  EXPECT_GT(after.face_count(), 0);
 }
 
 FlatMesh flat_mesh(const Shape& shape) {

@@ -56,6 +56,9 @@ inline std::string representative_name(const testing::TestParamInfo<NamedReprese
 std::vector<NamedRepresentative> shape_representatives();
 std::vector<NamedRepresentative> all_representatives();
 
+/// What holds of any clustering: a mesh without faces or vertices that mean nothing.
+void expect_sound_clusters(const Shape& after);
+
 /// The shape as the clustering sees it.
 FlatMesh flat_mesh(const Shape& shape);
 

@@ -2,12 +2,9 @@
 #pragma once
 
 #include <algorithm>
-#include <cstdint>
-#include <vector>
 
 #include "vcg_ext/mesh/sharp_edges.h"
 #include "vcg_ext/mesh/working_mesh.h"
-#include "vcg_ext/parallel.h"
 
 namespace curvdecim {
 

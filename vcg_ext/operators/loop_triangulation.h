@@ -222,7 +222,7 @@ class LoopTriangulation {
     for (int i = 0; i + 2 < ring.size; ++i)
       for (int j = i + 2; j < ring.size - (i == 0); ++j) {
         Split split{i, j, diagonal(ring[i], ring[j]).below, HUGE_VAL};
-        if (best && !(split < *best)) continue;
+        if (best && !(split < *best)) continue;  // with any aspect ratio
         split.aspect_ratio = aspect_ratio_of(ring, i, j);
         if (!(split.aspect_ratio > 0.0) || split.aspect_ratio < least_aspect_ratio_) continue;
         if ((after && !(*after < split)) || (best && !(split < *best))) continue;
