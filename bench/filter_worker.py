@@ -31,7 +31,7 @@ def run(job: dict) -> dict:
     if "cell_for" in job:
         return {"cell": nearest_cell(lambda cell: _faces_left(job, cell), job["cell_for"])}
     meshes = _load(job)
-    parameters = _values(job["parameters"])
+    parameters = values(job["parameters"])
     report, seconds, peak_bytes = memory.measure(
         lambda: meshes.apply_filter(job["filter"], **parameters)
     )
@@ -45,7 +45,8 @@ def _load(job: dict) -> pymeshlab.MeshSet:
     return meshes
 
 
-def _values(parameters: dict) -> dict[str, Any]:
+def values(parameters: dict) -> dict[str, Any]:
+    """The parameters of a job as PyMeshLab wants them."""
     return {
         name: pymeshlab.PercentageValue(value["percentage"]) if isinstance(value, dict) else value
         for name, value in parameters.items()
@@ -55,7 +56,7 @@ def _values(parameters: dict) -> dict[str, Any]:
 def _faces_left(job: dict, cell: float) -> int:
     meshes = _load(job)
     cell_of = {job["cell_parameter"]: {"percentage": 100 * cell}}
-    meshes.apply_filter(job["filter"], **_values(job["parameters"] | cell_of))
+    meshes.apply_filter(job["filter"], **values(job["parameters"] | cell_of))
     return meshes.current_mesh().face_number()
 
 

@@ -16,18 +16,16 @@ import argparse
 import json
 import math
 import os
-import shutil
 import subprocess
 import sys
-import tarfile
 import tempfile
 from collections.abc import Mapping
-from io import BytesIO
 from pathlib import Path
 
 import numpy as np
 import tables
 from binary_mesh import write_binary
+from commits import IncomparableError, full_name, git, meshlab_sources, unpack
 from meshes import REPOSITORY, read_mesh, shipped
 from numpy.typing import NDArray
 
@@ -40,10 +38,6 @@ _MOST_SECONDS = 60.0  # for one run; it takes well under one
 
 Times = dict[tuple[str, str], float]
 """Mesh and preset to the least seconds."""
-
-
-class IncomparableError(Exception):
-    """There is no other commit, or it cannot be built; the message says why."""
 
 
 def main() -> int:
@@ -94,26 +88,18 @@ def mean_ratio(
 def _base(wanted: str | None) -> str:
     """The commit to compare with, in full."""
     if wanted is not None:
-        return _git("rev-parse", "--verify", "--quiet", f"{wanted}^{{commit}}")
-    if _git("status", "--porcelain", "--", *_CORE):
-        return _git("rev-parse", "HEAD")
-    changed = _git("log", "-1", "--format=%H", "--", *_CORE)
-    return _git("rev-parse", "--verify", "--quiet", f"{changed}^1")
-
-
-def _git(*words: str) -> str:
-    done = subprocess.run(["git", *words], cwd=REPOSITORY, capture_output=True, text=True)
-    if done.returncode != 0:
-        raise IncomparableError(f"no earlier commit here (git {' '.join(words)} finds none)")
-    return done.stdout.strip()
+        return full_name(wanted)
+    if git("status", "--porcelain", "--", *_CORE):
+        return full_name("HEAD")
+    changed = git("log", "-1", "--format=%H", "--", *_CORE)
+    return full_name(f"{changed}^1")
 
 
 def _drivers(base: str) -> tuple[Path, Path]:
     """The drivers of the base and of this tree, built at the same time."""
     here, there = _BUILD / "here", _BUILD / base
     source = there / "source"
-    if not source.exists():
-        _unpack(base, source)
+    unpack(base, source, _CORE)
     builds = [_start_build(source, there / "build"), _start_build(REPOSITORY, here / "build")]
     failed = [build.wait() != 0 for build in builds]
     if failed[1]:
@@ -125,35 +111,15 @@ def _drivers(base: str) -> tuple[Path, Path]:
     return there / "build/driver", here / "build/driver"
 
 
-def _unpack(commit: str, folder: Path) -> None:
-    command = ["git", "archive", commit, "--", *_CORE]
-    done = subprocess.run(command, cwd=REPOSITORY, capture_output=True)
-    if done.returncode != 0:
-        raise IncomparableError(f"commit {commit[:10]} has no core")
-    unfinished = folder.with_suffix(".part")
-    shutil.rmtree(unfinished, ignore_errors=True)
-    unfinished.mkdir(parents=True)
-    with tarfile.open(fileobj=BytesIO(done.stdout)) as archive:
-        archive.extractall(unfinished, filter="data")
-    unfinished.rename(folder)
-
-
 def _start_build(source: Path, build: Path) -> subprocess.Popen:
     build.mkdir(parents=True, exist_ok=True)
     configure = ["cmake", "-S", str(REPOSITORY / "bench/guard"), "-B", str(build), "-G", "Ninja"]
-    configure += [f"-DCURVDECIM_SOURCE_DIR={source}", f"-DMESHLAB_SOURCE_DIR={_meshlab_sources()}"]
+    configure += [f"-DCURVDECIM_SOURCE_DIR={source}", f"-DMESHLAB_SOURCE_DIR={meshlab_sources()}"]
     log = (build / "log.txt").open("w", encoding="utf-8")
     script = '"$@" && exec cmake --build "$0"'  # $0: the build folder, the rest: configure
     return subprocess.Popen(
         ["sh", "-c", script, str(build), *configure], stdout=log, stderr=subprocess.STDOUT
     )
-
-
-def _meshlab_sources() -> str:
-    """For CMake: what the user named, then what scripts/setup fetched."""
-    named = os.environ.get("MESHLAB_SOURCE_DIR", "")
-    fetched = sorted(str(file.parent) for file in REPOSITORY.glob("build/meshlab/*/ML_VERSION"))
-    return ";".join([*([named] if named else []), *fetched])
 
 
 def _write_meshes(folder: Path) -> dict[Path, int]:

@@ -6,6 +6,7 @@ from __future__ import annotations
 import subprocess
 from pathlib import Path
 
+import commits
 import guard
 import numpy as np
 import pytest
@@ -52,7 +53,7 @@ def test_the_torus_is_closed_and_of_genus_1_and_the_ridges_have_a_boundary() -> 
 @pytest.fixture
 def repository(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """A checkout with one commit, whose core is one file."""
-    monkeypatch.setattr(guard, "REPOSITORY", tmp_path)
+    monkeypatch.setattr(commits, "REPOSITORY", tmp_path)
     git(tmp_path, "init", "--quiet")
     (tmp_path / "vcg_ext").mkdir()
     commit(tmp_path, "vcg_ext/decimate.h", "first")
@@ -88,19 +89,19 @@ def test_a_core_that_is_not_committed_is_compared_with_the_last_commit(repositor
 
 
 def test_a_first_commit_has_nothing_to_compare_with(repository: Path) -> None:
-    with pytest.raises(guard.IncomparableError, match="no earlier commit"):
+    with pytest.raises(commits.IncomparableError, match="no earlier commit"):
         guard._base(None)
 
 
 def test_an_unknown_base_is_said(repository: Path) -> None:
-    with pytest.raises(guard.IncomparableError, match="v9"):
+    with pytest.raises(commits.IncomparableError, match="v9"):
         guard._base("v9")
 
 
 def test_outside_a_checkout_there_is_nothing_to_compare_with(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(guard, "REPOSITORY", tmp_path)
+    monkeypatch.setattr(commits, "REPOSITORY", tmp_path)
     monkeypatch.setenv("GIT_CEILING_DIRECTORIES", str(tmp_path.parent))
-    with pytest.raises(guard.IncomparableError):
+    with pytest.raises(commits.IncomparableError):
         guard._base(None)
