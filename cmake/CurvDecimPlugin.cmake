@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# curvdecim_add_plugin(<target> HOST <program>-<version>)
+# curvdecim_add_plugin(<target> HOST <host of hosts.txt>)
 #
 # Builds plugins/<host>/libfilter_curvdecim.so for one host. A plugin fits one host only: the scalar
 # type, the version and the plugin interface are compiled in and checked by the host at load.
@@ -80,15 +80,11 @@ function(_curvdecim_link_host_library target library)
   target_link_options(${target} PRIVATE LINKER:-rpath-link,${directory} LINKER:--no-undefined)
 endfunction()
 
-function(_curvdecim_define_host target program version)
-  set(scalar float)
-  set(api 2022)
-  if(program STREQUAL "pymeshlab")
-    set(scalar double)
+function(_curvdecim_define_host target host version)
+  set(api ${CURVDECIM_API_${host}})
+  set(scalar ${CURVDECIM_SCALAR_${host}})
+  if(scalar STREQUAL "double")
     set(double_suffix d)  # how a MeshLab in double precision spells its version
-  endif()
-  if(version VERSION_LESS 2021)
-    set(api 2020)
   endif()
   target_sources(${target} PRIVATE ${PROJECT_SOURCE_DIR}/filter_curvdecim/host/host_${api}.cpp
                                    ${PROJECT_SOURCE_DIR}/filter_curvdecim/host/host_${api}.h)
@@ -98,9 +94,10 @@ endfunction()
 
 function(curvdecim_add_plugin target)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "HOST" "")
-  if(NOT arg_HOST MATCHES "^(pymeshlab|meshlab)-([0-9.]+)$")
-    message(FATAL_ERROR "curvdecim_add_plugin: HOST must be pymeshlab-<version> or meshlab-<version>, not '${arg_HOST}'.")
+  if(NOT arg_HOST IN_LIST CURVDECIM_ALL_HOSTS)
+    message(FATAL_ERROR "curvdecim_add_plugin: HOST must be one of ${CURVDECIM_ALL_HOSTS}, not '${arg_HOST}'.")
   endif()
+  string(REGEX MATCH "^([a-z]+)-(.+)$" _ ${arg_HOST})
   set(program ${CMAKE_MATCH_1})
   set(version ${CMAKE_MATCH_2})
   _curvdecim_find_meshlab_library(${program} ${version} library)
@@ -110,10 +107,9 @@ function(curvdecim_add_plugin target)
     return()
   endif()
 
-  set(folder ${PROJECT_SOURCE_DIR}/filter_curvdecim)
-  add_library(${target} MODULE ${folder}/decimation_task.cpp ${folder}/filter_curvdecim.cpp
-                               ${folder}/rich_parameters.cpp)
-  _curvdecim_define_host(${target} ${program} ${version})
+  set(folder ${PROJECT_SOURCE_DIR}/filter_curvdecim/host)
+  add_library(${target} MODULE ${folder}/actions.cpp ${folder}/rich_parameters.cpp)
+  _curvdecim_define_host(${target} ${arg_HOST} ${version})
   target_link_libraries(${target} PRIVATE curvdecim_parameter_table curvdecim_warnings meshlab-headers-${version}
                                           Qt5::Core Qt5::Gui Qt5::Widgets)
   target_include_directories(${target} SYSTEM PRIVATE ${Qt5Xml_INCLUDE_DIRS} ${Qt5OpenGL_INCLUDE_DIRS}

@@ -49,7 +49,10 @@ get_property(versions GLOBAL PROPERTY CURVDECIM_MESHLAB_VERSIONS)
 list(SORT versions COMPARE NATURAL ORDER DESCENDING)
 list(POP_FRONT versions CURVDECIM_NEWEST_MESHLAB)
 if(NOT CURVDECIM_NEWEST_MESHLAB)
-  message(FATAL_ERROR "No MeshLab sources found. Run `scripts/fetch-meshlab-sources 2025.07 forky sid`, "
+  list(GET CURVDECIM_ALL_HOSTS 0 host)
+  string(REGEX REPLACE "^[a-z]+-" "" version ${host})
+  list(JOIN CURVDECIM_SUITES_${host} " " suites)
+  message(FATAL_ERROR "No MeshLab sources found. Run `scripts/fetch-meshlab-sources ${version} ${suites}`, "
                       "or name a MeshLab checkout in MESHLAB_SOURCE_DIR: -DMESHLAB_SOURCE_DIR=<directory> "
                       "for cmake, the environment variable for scripts/ and pip.")
 endif()

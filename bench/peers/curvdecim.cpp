@@ -6,8 +6,13 @@
 #include <vcg/complex/complex.h>
 
 #include "peer.h"
+#if __has_include("vcg_ext/edge_collapse.h")
+#include "vcg_ext/edge_collapse.h"
+#include "vcg_ext/vertex_clustering.h"
+#else  // commits before the headers had the names of the operators
 #include "vcg_ext/cluster.h"
 #include "vcg_ext/decimate.h"
+#endif
 
 namespace {
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filter_curvdecim/host/host_2020.h"
 
-#include "filter_curvdecim/filter_curvdecim.h"
+#include "filter_curvdecim/host/actions.h"
 
-using curvdecim::filter_of;
+namespace glue = curvdecim::glue;
 
 FilterCurvDecimPlugin::FilterCurvDecimPlugin() {
-  for (const curvdecim::Filter& filter : curvdecim::filters()) {
-    typeList.append(static_cast<FilterIDType>(filter.id));
+  for (std::size_t number = 0; number < glue::actions().size(); ++number) {
+    typeList.append(static_cast<FilterIDType>(number));
     actionList.append(new QAction(filterName(typeList.last()), this));
   }
 }
@@ -15,36 +15,34 @@ FilterCurvDecimPlugin::FilterCurvDecimPlugin() {
 QString FilterCurvDecimPlugin::pluginName() const { return "FilterCurvDecim"; }
 
 QString FilterCurvDecimPlugin::filterName(FilterIDType id) const {
-  return QString::fromStdString(curvdecim::text_of(filter_of(id).id).menu_name);
+  return QString::fromStdString(glue::action_of(id).about.menu_name);
 }
 
 QString FilterCurvDecimPlugin::filterInfo(FilterIDType id) const {
-  return QString::fromStdString(curvdecim::text_of(filter_of(id).id).info);
+  return QString::fromStdString(glue::action_of(id).about.info);
 }
 
 QString FilterCurvDecimPlugin::filterScriptFunctionName(FilterIDType id) {
-  return QString::fromStdString(curvdecim::text_of(filter_of(id).id).python_name);
+  return QString::fromStdString(glue::action_of(id).about.python_name);
 }
 
 MeshFilterInterface::FilterClass FilterCurvDecimPlugin::getClass(QAction* action) {
-  return filter_of(ID(action)).menu_class;
+  return glue::menu_class(glue::action_of(ID(action)));
 }
 
 MeshFilterInterface::FILTER_ARITY FilterCurvDecimPlugin::filterArity(QAction*) const {
   return SINGLE_MESH;
 }
 
-int FilterCurvDecimPlugin::getPreConditions(QAction* action) const {
-  return filter_of(ID(action)).precondition;
-}
+int FilterCurvDecimPlugin::getPreConditions(QAction*) const { return glue::precondition; }
 
 int FilterCurvDecimPlugin::postCondition(QAction* action) const {
-  return filter_of(ID(action)).postcondition;
+  return glue::postcondition(glue::action_of(ID(action)));
 }
 
 void FilterCurvDecimPlugin::initParameterSet(QAction* action, MeshDocument& document,
                                              RichParameterList& parameters) {
-  parameters = curvdecim::default_parameters(filter_of(ID(action)), document.mm());
+  parameters = glue::default_parameters(glue::action_of(ID(action)), document.mm());
 }
 
 bool FilterCurvDecimPlugin::applyFilter(QAction* action, MeshDocument& document,
@@ -52,8 +50,8 @@ bool FilterCurvDecimPlugin::applyFilter(QAction* action, MeshDocument& document,
                                         vcg::CallBackPos* callback) {
   try {
     const auto outcome =
-        curvdecim::apply(filter_of(ID(action)), document.mm(), parameters, callback);
-    for (const std::string& line : curvdecim::log_lines(outcome)) Log(line);
+        glue::apply(glue::action_of(ID(action)), document.mm(), parameters, callback);
+    for (const std::string& line : glue::log_lines(outcome)) Log(line);
     return true;
   } catch (const std::exception& error) {
     errorMessage = QString::fromUtf8(error.what());

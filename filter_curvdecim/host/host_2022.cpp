@@ -1,32 +1,36 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filter_curvdecim/host/host_2022.h"
 
-#include "filter_curvdecim/filter_curvdecim.h"
+#include "filter_curvdecim/host/actions.h"
 
-using curvdecim::filter_of;
+namespace glue = curvdecim::glue;
 
 namespace {
 
 /// PyMeshLab drops texts and 64-bit integers. Counts fit an int, as in the hosts' meshes, and a
-/// reason is its number, which the Python package turns into text.
+/// constant is its number, which the Python package turns into text.
 struct AsVariant {
   QVariant operator()(std::int64_t number) const { return static_cast<int>(number); }
   QVariant operator()(double number) const { return number; }
-  QVariant operator()(curvdecim::StopReason reason) const { return static_cast<int>(reason); }
+  QVariant operator()(const glue::Constant& constant) const { return constant.number; }
 };
 
-std::map<std::string, QVariant> dictionary_of(const curvdecim::Outcome& outcome) {
+std::map<std::string, QVariant> dictionary_of(const glue::Outcome& outcome) {
   std::map<std::string, QVariant> dictionary;
-  for (const curvdecim::Result& result : outcome.results)
-    dictionary[result.name] = std::visit(AsVariant(), result.value);
+  for (const auto& [name, value] : outcome.results)
+    dictionary[name] = std::visit(AsVariant(), value);
   return dictionary;
+}
+
+bool changed_anything(const glue::Outcome& outcome) {
+  return outcome.changed.shape || outcome.changed.quality_and_color;
 }
 
 }  // namespace
 
 FilterCurvDecimPlugin::FilterCurvDecimPlugin() {
-  for (const curvdecim::Filter& filter : curvdecim::filters()) {
-    typeList.push_back(static_cast<ActionIDType>(filter.id));
+  for (std::size_t number = 0; number < glue::actions().size(); ++number) {
+    typeList.push_back(static_cast<ActionIDType>(number));
     actionList.push_back(new QAction(filterName(typeList.back()), this));
   }
 }
@@ -36,36 +40,34 @@ QString FilterCurvDecimPlugin::pluginName() const { return "FilterCurvDecim"; }
 QString FilterCurvDecimPlugin::vendor() const { return "CurvDecim"; }
 
 QString FilterCurvDecimPlugin::filterName(ActionIDType id) const {
-  return QString::fromStdString(curvdecim::text_of(filter_of(id).id).menu_name);
+  return QString::fromStdString(glue::action_of(id).about.menu_name);
 }
 
 QString FilterCurvDecimPlugin::pythonFilterName(ActionIDType id) const {
-  return QString::fromStdString(curvdecim::text_of(filter_of(id).id).python_name);
+  return QString::fromStdString(glue::action_of(id).about.python_name);
 }
 
 QString FilterCurvDecimPlugin::filterInfo(ActionIDType id) const {
-  return QString::fromStdString(curvdecim::text_of(filter_of(id).id).info);
+  return QString::fromStdString(glue::action_of(id).about.info);
 }
 
 FilterPlugin::FilterClass FilterCurvDecimPlugin::getClass(const QAction* action) const {
-  return filter_of(ID(action)).menu_class;
+  return glue::menu_class(glue::action_of(ID(action)));
 }
 
 FilterPlugin::FilterArity FilterCurvDecimPlugin::filterArity(const QAction*) const {
   return SINGLE_MESH;
 }
 
-int FilterCurvDecimPlugin::getPreConditions(const QAction* action) const {
-  return filter_of(ID(action)).precondition;
-}
+int FilterCurvDecimPlugin::getPreConditions(const QAction*) const { return glue::precondition; }
 
 int FilterCurvDecimPlugin::postCondition(const QAction* action) const {
-  return filter_of(ID(action)).postcondition;
+  return glue::postcondition(glue::action_of(ID(action)));
 }
 
 RichParameterList FilterCurvDecimPlugin::initParameterList(const QAction* action,
                                                            const MeshDocument& document) {
-  return curvdecim::default_parameters(filter_of(ID(action)), document.mm());
+  return glue::default_parameters(glue::action_of(ID(action)), document.mm());
 }
 
 std::map<std::string, QVariant> FilterCurvDecimPlugin::applyFilter(
@@ -73,9 +75,9 @@ std::map<std::string, QVariant> FilterCurvDecimPlugin::applyFilter(
     unsigned int& postConditionMask, vcg::CallBackPos* callback) {
   try {
     const auto outcome =
-        curvdecim::apply(filter_of(ID(action)), document.mm(), parameters, callback);
-    if (!outcome.mesh_changed) postConditionMask = MeshModel::MM_NONE;
-    for (const std::string& line : curvdecim::log_lines(outcome)) log(line);
+        glue::apply(glue::action_of(ID(action)), document.mm(), parameters, callback);
+    if (!changed_anything(outcome)) postConditionMask = MeshModel::MM_NONE;
+    for (const std::string& line : glue::log_lines(outcome)) log(line);
     return dictionary_of(outcome);
   } catch (const std::exception& error) {
     // PyMeshLab does this only on success; its log dies with the MeshSet, and the next call would

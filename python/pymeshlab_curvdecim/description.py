@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The filters and their parameters, as the plugin itself describes them in parameters.json."""
+"""The filters, their parameters and results, as the plugin describes them in parameters.json."""
 
 import html
 import json
-import keyword
 import operator
 import re
 from dataclasses import dataclass
@@ -22,18 +21,13 @@ class Parameter:
     """One parameter; its default is None when it depends on the mesh."""
 
     name: str
+    python_name: str
     type: str
     default: Any
     label: str
     help: str
     values: tuple[str, ...]
     meanings: tuple[str, ...]
-
-    @property
-    def python_name(self):
-        """In lower case, as PyMeshLab has it: with an underscore after a keyword of Python."""
-        name = self.name.lower()
-        return name + "_" if keyword.iskeyword(name) else name
 
     @property
     def annotation(self):
@@ -52,6 +46,16 @@ class Parameter:
 
 
 @dataclass(frozen=True)
+class Result:
+    """An entry of what a filter returns; one with labels is the number of a label in PyMeshLab."""
+
+    name: str
+    unit: str
+    meaning: str
+    labels: tuple[str, ...]
+
+
+@dataclass(frozen=True)
 class Filter:
     """A filter by its name in MeshLab's menu and in Python."""
 
@@ -59,7 +63,7 @@ class Filter:
     python_name: str
     info: str
     parameters: tuple[Parameter, ...]
-    stop_reasons: tuple[str, ...]
+    results: tuple[Result, ...]
 
     def checked(self, given):
         """The given values by Python name, as PyMeshLab wants them."""
@@ -69,28 +73,26 @@ class Filter:
         return {name: known[name].checked(value) for name, value in given.items()}
 
     def readable(self, report):
-        """What the filter returned, with the text of `stopped_by`: PyMeshLab passes no texts."""
-        reasons = self.stop_reasons
+        """What the filter returned, with labels instead of numbers: PyMeshLab passes no texts."""
+        labels = {each.name: each.labels for each in self.results if each.labels}
         return {
-            name: reasons[value] if name == "stopped_by" else value
-            for name, value in report.items()
+            name: labels[name][value] if name in labels else value for name, value in report.items()
         }
 
 
 def read_filters():
     """The plugin's filters by Python name."""
     described = json.loads(parameters_file().read_text(encoding="utf-8"))
-    reasons = tuple(described["stop_reasons"])
-    return {each["python_name"]: _filter(each, reasons) for each in described["filters"]}
+    return {each["python_name"]: _filter(each) for each in described["filters"]}
 
 
-def _filter(described, stop_reasons):
+def _filter(described):
     return Filter(
         described["menu_name"],
         described["python_name"],
         _plain_text(described["info"]),
         tuple(_parameter(each) for each in described["parameters"]),
-        stop_reasons,
+        tuple(_result(each) for each in described["results"]),
     )
 
 
@@ -98,6 +100,7 @@ def _parameter(described):
     default = described["default"]
     return Parameter(
         described["name"],
+        described["python_name"],
         described["type"],
         None if default == DEPENDS_ON_MESH else default,
         _plain_text(described["label"]),
@@ -105,6 +108,11 @@ def _parameter(described):
         tuple(each["name"] for each in described["values"]),
         tuple(_plain_text(each["meaning"]) for each in described["values"]),
     )
+
+
+def _result(described):
+    meaning = _plain_text(described["meaning"])
+    return Result(described["name"], described["unit"], meaning, tuple(described["labels"]))
 
 
 def _plain_text(rich):

@@ -58,12 +58,24 @@ def _signature(description):
 
 def _documentation(description):
     sections = [description.info, "Parameters\n----------"]
-    return "\n\n".join(sections + [_help(each) for each in description.parameters])
+    sections += [_parameter_help(each) for each in description.parameters]
+    sections += ["Returns\n-------", "A dictionary with"]
+    return "\n\n".join(sections + [_result_help(each) for each in description.results])
 
 
-def _help(parameter):
+def _parameter_help(parameter):
     choices = zip(parameter.values, parameter.meanings, strict=True)
     lines = [parameter.label + ".", parameter.help]
     lines += [f"{name}: {meaning}." for name, meaning in choices]
-    indented = textwrap.indent("\n".join(lines), "    ")
-    return f"{parameter.python_name} : {parameter.type}\n{indented}"
+    return f"{parameter.python_name} : {parameter.type}\n{_indented(lines)}"
+
+
+def _result_help(result):
+    lines = [f"{result.meaning}."]
+    lines += [f"One of {', '.join(result.labels)}."] if result.labels else []
+    heading = f"{result.name} ({result.unit})" if result.unit else result.name
+    return f"{heading}\n{_indented(lines)}"
+
+
+def _indented(lines):
+    return textwrap.indent("\n".join(lines), "    ")

@@ -25,7 +25,7 @@ void expect_sound(const ClusteringParams& params, const Shape& before, const Clu
   expect_sound_clusters(after);
   EXPECT_EQ(after.face_count() + report.degenerate + report.duplicate + report.crowded,
             before.face_count());
-  EXPECT_LE(report.max_error, report.cell_size);
+  EXPECT_LE(report.largest_move, report.cell_size);
   EXPECT_TRUE(!params.manifold_edges || topology(after).nonmanifold_edges == 0);
 }
 

@@ -1,66 +1,113 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The parameters of all filters: texts, defaults, and the members of the core that they set.
 #include <gtest/gtest.h>
 
+#include <cctype>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <set>
+#include <stdexcept>
+#include <string>
+#include <vector>
 
-#include "filter_curvdecim/filter_parameters.h"
+#include "filter_curvdecim/filters/all_filters.h"
 #include "vcg_ext/errors.h"
+#include "vcg_ext/run/validation.h"
 
 namespace {
 
 using namespace curvdecim;
+using namespace curvdecim::glue;
 
-constexpr FilterId collapse = FilterId::CurvatureEdgeCollapse;
-constexpr FilterId sphere = FilterId::AlgebraicSphere;
-constexpr FilterId importance = FilterId::CurvatureImportance;
+template <class List>
+struct TypesOf;
+template <class... F>
+struct TypesOf<FilterList<F...>> {
+  using Type = testing::Types<F...>;
+};
 
-const Parameter& row(const std::string& name, FilterId filter) {
-  for (const Parameter* parameter : parameters_of(filter))
-    if (parameter->name == name) return *parameter;
+struct NameOfFilter {
+  template <class F>
+  static std::string GetName(int) {  // NOLINT(readability-identifier-naming): GoogleTest asks it
+    return F::about().python_name;
+  }
+};
+
+template <class F>
+class ParameterTable : public testing::Test {};
+TYPED_TEST_SUITE(ParameterTable, TypesOf<AllFilters>::Type, NameOfFilter);
+
+template <class F>
+ParameterRow<typename F::Params> row_of(const std::string& name) {
+  for (const auto& row : F::parameters())
+    if (row.name == name) return row;
   throw std::out_of_range("no parameter " + name);
 }
 
-Settings with(FilterId filter, const std::string& name, const Value& value) {
-  Settings settings;
-  assign(settings, filter, row(name, filter), value);
-  return settings;
+template <class F>
+typename F::Params with(const std::string& name, const Value& value) {
+  typename F::Params params;
+  row_of<F>(name).assign(params, value);
+  return params;
 }
 
-/// The settings with an enum parameter at the value of this name.
-Settings choosing(const std::string& name, const std::string& choice, FilterId filter = collapse) {
-  const auto& values = row(name, filter).values;
-  for (std::size_t i = 0; i < values.size(); ++i)
-    if (values[i].name == choice) return with(filter, name, static_cast<int>(i));
-  throw std::out_of_range(name + " has no value " + choice);
-}
-
+/// What the core says about a value, as a host shows it; empty: nothing.
+template <class F>
 std::string refusal(const std::string& name, const Value& value) {
   try {
-    with(collapse, name, value);
+    detail::validate(with<F>(name, value));
     return "";
   } catch (const InputError& error) {
-    return error.what();
+    return in_names_of(table_of<F>().parameters, error).what();
   }
 }
 
-TEST(ParameterTable, HasUniqueNamesInEveryFilter) {
-  for (const FilterText& text : filter_texts()) {
-    std::set<std::string> names;
-    for (const Parameter* parameter : parameters_of(text.id))
-      EXPECT_TRUE(names.insert(parameter->name).second) << text.menu_name << parameter->name;
-  }
+/// A value in range that is not the default.
+Value another_value(const Parameter& parameter) {
+  const Value& value = parameter.fixed_default;
+  if (parameter.kind == Kind::Bool) return !std::get<bool>(value);
+  if (parameter.kind == Kind::Enum) return std::get<int>(value) == 0 ? 1 : 0;
+  if (parameter.kind == Kind::Int) return std::get<int>(value) == 7 ? 8 : 7;
+  const double low = std::isfinite(parameter.range.low) ? parameter.range.low : 0.0;
+  const double high = std::isfinite(parameter.range.high) ? parameter.range.high : low + 1.0;
+  return low + 0.7 * (high - low);
 }
 
-TEST(ParameterTable, HasTexts) {
-  for (const Parameter& parameter : parameter_table()) {
-    EXPECT_FALSE(parameter.label.empty()) << parameter.name;
-    EXPECT_FALSE(parameter.help.empty()) << parameter.name;
-    for (const Binding& binding : parameter.bindings)
-      EXPECT_FALSE(dialog_help(parameter, binding.filter).empty()) << parameter.name;
-    EXPECT_EQ(parameter.kind == Kind::Enum, !parameter.values.empty()) << parameter.name;
-    EXPECT_FALSE(parameter.bindings.empty()) << parameter.name;
+/// The core's names of what differs between two sets of parameters.
+template <class Params>
+std::set<std::string> differences(const Params& one, const Params& other) {
+  std::set<std::string> names;
+  for_each_field<Params>([&](const auto& field) {
+    if (one.*field.member != other.*field.member) names.insert(field.name);
+  });
+  return names;
+}
+
+TYPED_TEST(ParameterTable, BindsEveryFieldOfTheCoreOnceOrLeavesItOutOnPurpose) {
+  std::multiset<std::string> expected, found;
+  for_each_field<typename TypeParam::Params>(
+      [&](const auto& field) { expected.insert(field.name); });
+  for (const auto& row : TypeParam::parameters()) found.insert(row.field);
+  for (const std::string& field : TypeParam::about().fields_not_offered) found.insert(field);
+  EXPECT_EQ(found, expected);
+}
+
+TYPED_TEST(ParameterTable, HasUniqueNames) {
+  std::set<std::string> names;
+  for (const auto& row : TypeParam::parameters())
+    EXPECT_TRUE(names.insert(row.name).second) << row.name;
+}
+
+TYPED_TEST(ParameterTable, HasTexts) {
+  EXPECT_NE(TypeParam::about().info.find("<br>See:<br>"), std::string::npos);
+  EXPECT_FALSE(TypeParam::parameters().empty());
+  for (const auto& row : TypeParam::parameters()) {
+    EXPECT_FALSE(row.label.empty()) << row.name;
+    EXPECT_FALSE(row.text.help.empty()) << row.name;
+    EXPECT_FALSE(dialog_help(row).empty()) << row.name;
+    EXPECT_EQ(row.kind == Kind::Enum, !row.choices.empty()) << row.name;
+    for (const Choice& choice : row.choices) EXPECT_FALSE(choice.meaning.empty()) << choice.name;
   }
 }
 
@@ -78,128 +125,148 @@ std::vector<std::string> visible_lines(const std::string& html) {
 }
 
 /// MeshLab 2020.09 gives a text that it breaks itself less height than it takes, but for two lines.
-TEST(ParameterTable, TextsFitTheDialog) {
+TYPED_TEST(ParameterTable, TextsFitTheDialog) {
   constexpr std::size_t characters_a_line = 36;
-  for (const Parameter& parameter : parameter_table())
-    for (const Binding& binding : parameter.bindings) {
-      const auto lines = visible_lines(dialog_help(parameter, binding.filter));
-      for (const std::string& line : lines)
-        EXPECT_LE(line.size(), (lines.size() == 1 ? 2 : 1) * characters_a_line) << line;
-    }
-}
-
-TEST(ParameterTable, EveryFilterHasTexts) {
-  for (const FilterText& text : filter_texts()) {
-    EXPECT_FALSE(parameters_of(text.id).empty()) << text.menu_name;
-    EXPECT_NE(text.info.find("<br>See:<br>"), std::string::npos) << text.menu_name;
+  for (const auto& row : TypeParam::parameters()) {
+    const auto lines = visible_lines(dialog_help(row));
+    for (const std::string& line : lines)
+      EXPECT_LE(line.size(), (lines.size() == 1 ? 2 : 1) * characters_a_line) << line;
   }
 }
 
-TEST(ParameterTable, EveryDefaultIsInRangeAndOfItsKind) {
-  for (const FilterText& text : filter_texts())
-    for (const Parameter* parameter : parameters_of(text.id)) {
-      Settings settings;
-      EXPECT_NO_THROW(assign(settings, text.id, *parameter, default_value(*parameter, text.id, {})))
-          << parameter->name;
-    }
+TYPED_TEST(ParameterTable, EveryDefaultIsTheCoresAndInRange) {
+  const typename TypeParam::Params params;
+  for (const auto& row : TypeParam::parameters()) {
+    EXPECT_EQ(refusal<TypeParam>(row.name, default_value(row, {})), "");
+    const auto assigned = with<TypeParam>(row.name, row.fixed_default);
+    EXPECT_EQ(differences(assigned, params), std::set<std::string>()) << row.name;
+  }
 }
 
-TEST(ParameterTable, EnumValuesAreInTheOrderOfTheCore) {
-  EXPECT_EQ(choosing("Metric", "Quadric").edge_collapse.metric, Metric::Quadric);
-  EXPECT_EQ(choosing("Metric", "CurvatureWeighted").edge_collapse.metric,
-            Metric::CurvatureWeighted);
-  EXPECT_EQ(choosing("Metric", "CurvatureAdditive").edge_collapse.metric,
-            Metric::CurvatureAdditive);
-  EXPECT_EQ(choosing("Preset", "Fast").edge_collapse.preset, Preset::Fast);
-  EXPECT_EQ(choosing("Preset", "Balanced").edge_collapse.preset, Preset::Balanced);
-  EXPECT_EQ(choosing("Preset", "Best").edge_collapse.preset, Preset::Best);
-  EXPECT_EQ(choosing("Preset", "Custom").edge_collapse.preset, Preset::Custom);
-  EXPECT_EQ(choosing("AlphaUnits", "ScaleFree").edge_collapse.alpha_units, AlphaUnits::ScaleFree);
-  EXPECT_EQ(choosing("AlphaUnits", "ModelUnits").edge_collapse.alpha_units, AlphaUnits::ModelUnits);
-  EXPECT_EQ(choosing("CurvatureKind", "Gaussian").edge_collapse.curvature_kind,
-            CurvatureKind::Gaussian);
-  EXPECT_EQ(choosing("CurvatureKind", "Absolute").edge_collapse.curvature_kind,
-            CurvatureKind::Absolute);
-  EXPECT_EQ(choosing("CurvatureTerm", "Melax").edge_collapse.curvature_term, CurvatureTerm::Melax);
-  EXPECT_EQ(choosing("CurvatureTerm", "Literal").edge_collapse.curvature_term,
-            CurvatureTerm::Literal);
-  EXPECT_EQ(choosing("Quadrics", "Memoryless").edge_collapse.quadrics, Quadrics::Memoryless);
-  EXPECT_EQ(choosing("Quadrics", "Accumulated").edge_collapse.quadrics, Quadrics::Accumulated);
-  EXPECT_EQ(choosing("PlaneWeight", "Area").edge_collapse.plane_weight, PlaneWeight::Area);
-  EXPECT_EQ(choosing("PlaneWeight", "Unit").edge_collapse.plane_weight, PlaneWeight::Unit);
-  EXPECT_EQ(choosing("Placement", "Optimal").edge_collapse.placement, Placement::Optimal);
-  EXPECT_EQ(choosing("Placement", "Line").edge_collapse.placement, Placement::Line);
-  EXPECT_EQ(choosing("Placement", "EndpointOrMidpoint").edge_collapse.placement,
-            Placement::EndpointOrMidpoint);
-  EXPECT_EQ(choosing("Placement", "HalfEdge").edge_collapse.placement, Placement::HalfEdge);
-  EXPECT_EQ(choosing("Scheduler", "Lazy").edge_collapse.scheduler, Scheduler::Lazy);
-  EXPECT_EQ(choosing("Scheduler", "Eager").edge_collapse.scheduler, Scheduler::Eager);
-  EXPECT_EQ(choosing("Energy", "Squared", sphere).sphere.energy, SphereEnergy::Squared);
-  EXPECT_EQ(choosing("Energy", "Poster", sphere).sphere.energy, SphereEnergy::Poster);
-  EXPECT_EQ(choosing("Placement", "Free3D", sphere).sphere.placement, SpherePlacement::Free3D);
-  EXPECT_EQ(choosing("Placement", "OnSphereAlongEdge", sphere).sphere.placement,
-            SpherePlacement::OnSphereAlongEdge);
-  EXPECT_FALSE(choosing("Output", "Curvature", importance).importance.as_factor);
-  EXPECT_TRUE(choosing("Output", "Factor", importance).importance.as_factor);
+TYPED_TEST(ParameterTable, AValueReachesItsMemberOnly) {
+  const typename TypeParam::Params params;
+  for (const auto& row : TypeParam::parameters()) {
+    const auto assigned = with<TypeParam>(row.name, another_value(row));
+    EXPECT_EQ(differences(assigned, params), std::set<std::string>{row.field}) << row.name;
+  }
 }
 
-TEST(ParameterTable, ValuesReachTheirMemberOnly) {
-  EXPECT_EQ(with(collapse, "TargetFaceNum", 7).edge_collapse.target_faces, 7);
-  EXPECT_EQ(with(collapse, "TargetVertNum", 7).edge_collapse.target_vertices, 7);
-  EXPECT_EQ(with(collapse, "TargetPerc", 0.7).edge_collapse.target_fraction, 0.7);
-  EXPECT_EQ(with(collapse, "MaxError", 0.7).edge_collapse.max_error, 0.7);
-  EXPECT_EQ(with(collapse, "BoundaryWeight", 0.7).edge_collapse.boundary_weight, 0.7);
-  EXPECT_EQ(with(collapse, "NormalAngle", 7.0).edge_collapse.normal_angle, 7.0);
-  EXPECT_EQ(with(collapse, "FeatureAngle", 7.0).edge_collapse.feature_angle, 7.0);
-  EXPECT_EQ(with(collapse, "Lambda", 0.7).edge_collapse.lambda, 0.7);
-  EXPECT_EQ(with(collapse, "Threads", 7).edge_collapse.threads, 7);
-  EXPECT_EQ(with(collapse, "RefineSweeps", 7).edge_collapse.refine_sweeps, 7);
-  EXPECT_FALSE(with(collapse, "PreserveBoundary", false).edge_collapse.preserve_boundary);
-  EXPECT_FALSE(with(collapse, "PreserveNormal", false).edge_collapse.preserve_normal);
-  EXPECT_FALSE(with(collapse, "PreserveTopology", false).edge_collapse.preserve_topology);
-  EXPECT_TRUE(with(collapse, "Selected", true).edge_collapse.selected_only);
-  EXPECT_TRUE(with(collapse, "QualityWeight", true).edge_collapse.quality_weight);
-  EXPECT_EQ(with(sphere, "KernelScale", 3.0).sphere.kernel_scale, 3.0);
-  EXPECT_FALSE(with(sphere, "AdaptiveKernel", false).sphere.adaptive_kernel);
-  EXPECT_EQ(with(sphere, "RefineSweeps", 7).sphere.refine_sweeps, 7);
-  EXPECT_EQ(with(sphere, "TargetFaceNum", 7).sphere.target_faces, 7);
-  EXPECT_EQ(with(sphere, "TargetFaceNum", 7).edge_collapse.target_faces,
-            DecimationParams::no_target);
-  const Settings settings = with(importance, "Alpha", 0.7);
-  EXPECT_EQ(settings.importance.alpha, 0.7);
-  EXPECT_EQ(settings.edge_collapse.alpha, CurvatureParams().alpha);
+TYPED_TEST(ParameterTable, AChoiceIsTheConstantOfItsName) {
+  for_each_field<typename TypeParam::Params>([](const auto& field) {
+    if constexpr (std::is_enum_v<
+                      std::decay_t<decltype(typename TypeParam::Params().*field.member)>>)
+      for (const auto& row : TypeParam::parameters())
+        for (std::size_t i = 0; row.field == field.name && i < row.choices.size(); ++i) {
+          const auto params = with<TypeParam>(row.name, static_cast<int>(i));
+          EXPECT_EQ(label_of(params.*field.member), row.choices[i].name) << row.name;
+        }
+  });
 }
 
-TEST(ParameterTable, RefusesNumbersOutOfRangeByNameValueAndRange) {
-  EXPECT_EQ(refusal("TargetFaceNum", -1),
+/// PreserveNormal of preserve_normal
+std::string in_camel_case(const std::string& field) {
+  std::string name;
+  bool capital = true;
+  for (const char c : field) {
+    if (c != '_') name += capital ? static_cast<char>(std::toupper(c)) : c;
+    capital = c == '_';
+  }
+  return name;
+}
+
+/// The names that users know are the core's, but for four that are as in MeshLab's own filters.
+TYPED_TEST(ParameterTable, NamesAreTheCoresOrMeshLabs) {
+  const std::map<std::string, std::string> meshlabs = {{"target_faces", "TargetFaceNum"},
+                                                       {"target_vertices", "TargetVertNum"},
+                                                       {"target_fraction", "TargetPerc"},
+                                                       {"selected_only", "Selected"}};
+  for (const auto& row : TypeParam::parameters()) {
+    const auto known = meshlabs.find(row.field);
+    EXPECT_EQ(row.name, known == meshlabs.end() ? in_camel_case(row.field) : known->second);
+  }
+}
+
+TYPED_TEST(ParameterTable, RefusesWhatIsNotFinite) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  for (const auto& row : TypeParam::parameters()) {
+    if (row.kind != Kind::Float && row.kind != Kind::Length) continue;
+    for (double number : {std::nan(""), infinity, -infinity})
+      EXPECT_EQ(refusal<TypeParam>(row.name, number).find(row.name + " is "), 0u) << number;
+  }
+}
+
+TYPED_TEST(ParameterTable, RefusesANumberThatIsNoChoice) {
+  for (const auto& row : TypeParam::parameters()) {
+    if (row.kind != Kind::Enum) continue;
+    for (int number : {-1, static_cast<int>(row.choices.size())})
+      EXPECT_EQ(refusal<TypeParam>(row.name, number).find(row.name + " is "), 0u) << number;
+  }
+}
+
+TEST(Refusal, NamesParameterValueAndRange) {
+  const auto refused = refusal<EdgeCollapseFilter>;
+  EXPECT_EQ(refused("TargetFaceNum", -1),
             "TargetFaceNum is -1; it must be at least 0 faces. The mesh was not changed.");
   EXPECT_EQ(
-      refusal("NormalAngle", 0.0),
+      refused("NormalAngle", 0.0),
       "NormalAngle is 0; it must be above 0 and at most 180 degrees. The mesh was not changed.");
-  EXPECT_NE(refusal("TargetPerc", 1.01), "");
-  EXPECT_NE(refusal("MaxError", -0.1), "");
-  EXPECT_NE(refusal("Metric", 3), "");
-  EXPECT_NE(refusal("Metric", -1), "");
-  EXPECT_EQ(refusal("NormalAngle", 180.0), "");
-  EXPECT_EQ(refusal("TargetPerc", 1.0), "");
+  EXPECT_EQ(refused("Threads", -1),
+            "Threads is -1; it must be at least 0 threads. The mesh was not changed.");
+  EXPECT_EQ(refused("Metric", 3),
+            "Metric is 3; it must be one of Quadric, CurvatureWeighted, CurvatureAdditive. The "
+            "mesh was not changed.");
+  EXPECT_NE(refused("TargetPerc", 1.01), "");
+  EXPECT_NE(refused("MaxError", -0.1), "");
+  EXPECT_EQ(refused("NormalAngle", 180.0), "");
+  EXPECT_EQ(refused("TargetPerc", 1.0), "");
 }
 
-TEST(ParameterTable, RefusesWhatIsNotFinite) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  for (const Parameter* parameter : parameters_of(collapse)) {
-    if (parameter->kind != Kind::Float && parameter->kind != Kind::Length) continue;
-    for (double number : {std::nan(""), infinity, -infinity})
-      EXPECT_NE(refusal(parameter->name, number), "") << parameter->name << " = " << number;
-  }
+/// A message of the core as users of the edge collapse read it.
+std::string translated(const std::string& message, const std::vector<std::string>& fields) {
+  const auto parameters = table_of<EdgeCollapseFilter>().parameters;
+  return in_names_of(parameters, InputError(message, fields)).what();
 }
 
-TEST(ParameterTable, DefaultsFollowTheMesh) {
-  for (FilterId filter : {collapse, sphere}) {
-    EXPECT_EQ(default_value(row("TargetFaceNum", filter), filter, {1001, 0, 1.0}), Value(500));
-    EXPECT_EQ(default_value(row("TargetFaceNum", filter), filter, {1001, 20, 1.0}), Value(10));
-    EXPECT_EQ(default_value(row("Selected", filter), filter, {1001, 0, 1.0}), Value(false));
-    EXPECT_EQ(default_value(row("Selected", filter), filter, {1001, 20, 1.0}), Value(true));
-  }
+TEST(Refusal, HasTheHostsNamesForWholeWordsOfTheListedFields) {
+  EXPECT_EQ(translated("pair_distance and max_error contradict: set max_error to 0.",
+                       {"pair_distance", "max_error"}),
+            "PairDistance and MaxError contradict: set MaxError to 0.");
+  EXPECT_EQ(translated("max_error_2 and a_max_error are others; max_error", {"max_error"}),
+            "max_error_2 and a_max_error are others; MaxError");
+  EXPECT_EQ(translated("max_error is not listed", {}), "max_error is not listed");
+  EXPECT_EQ(translated("unknown is no parameter", {"unknown"}), "unknown is no parameter");
+}
+
+TEST(Refusal, KeepsTheListOfNames) {
+  const auto parameters = table_of<EdgeCollapseFilter>().parameters;
+  const InputError error("alpha and unknown", {"alpha", "unknown"});
+  EXPECT_EQ(in_names_of(parameters, error).fields, (std::vector<std::string>{"Alpha", "unknown"}));
+}
+
+template <class F>
+void expect_stepwise_defaults() {
+  const auto target = row_of<F>("TargetFaceNum");
+  const auto selected = row_of<F>("Selected");
+  EXPECT_EQ(default_value(target, {1001, 0, 1.0}), Value(500));
+  EXPECT_EQ(default_value(target, {1001, 20, 1.0}), Value(10));
+  EXPECT_EQ(default_value(selected, {1001, 0, 1.0}), Value(false));
+  EXPECT_EQ(default_value(selected, {1001, 20, 1.0}), Value(true));
+}
+
+TEST(MeshDefaults, FollowTheMesh) {
+  expect_stepwise_defaults<EdgeCollapseFilter>();
+  expect_stepwise_defaults<AlgebraicSphereFilter>();
+  expect_stepwise_defaults<VertexRemovalFilter>();
+  const auto size = row_of<VertexClusteringFilter>("CellSize");
+  EXPECT_EQ(default_value(size, {1001, 0, 3.0}), Value(0.03));
+  EXPECT_EQ(default_value(size, {1001, 0, std::nan("")}), Value(0.0));
+  EXPECT_EQ(default_value(row_of<VertexClusteringFilter>("TargetFaceNum"), {1001, 0, 3.0}),
+            Value(0));
+}
+
+TEST(PythonName, IsInLowerCaseAndNoKeyword) {
+  EXPECT_EQ(python_name(row_of<EdgeCollapseFilter>("TargetFaceNum")), "targetfacenum");
+  EXPECT_EQ(python_name(row_of<EdgeCollapseFilter>("Lambda")), "lambda_");
 }
 
 }  // namespace

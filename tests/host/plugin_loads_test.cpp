@@ -3,28 +3,31 @@
 // is on this machine.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <ostream>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <vcg/complex/algorithms/create/platonic.h>
 #include <vcg/complex/algorithms/update/bounding.h>
 #include <vcg/complex/algorithms/update/normal.h>
 #include <vcg/complex/algorithms/update/selection.h>
 
-#include "filter_curvdecim/filter_parameters.h"
+#include "filter_curvdecim/filters/all_filters.h"
 #include "plugin_driver.h"
 
-namespace curvdecim {
+namespace curvdecim::glue {
 
 /// How GoogleTest names the instances.
-void PrintTo(FilterId id, std::ostream* out) { *out << text_of(id).python_name; }
+void PrintTo(const FilterTable& filter, std::ostream* out) { *out << filter.about.python_name; }
 
-}  // namespace curvdecim
+}  // namespace curvdecim::glue
 
 namespace {
 
-using namespace curvdecim;
+using namespace curvdecim::glue;
 
 /// A sphere of 20 * 4^4 = 5120 faces: long enough for a run to ask more than once whether to stop.
 constexpr int subdivisions = 4;
@@ -52,13 +55,13 @@ std::string bits_of(const MeshModel& mesh) {
 
 class LoadedFilter : public testing::Test {
  protected:
-  explicit LoadedFilter(FilterId id) : id_(id) {}
+  explicit LoadedFilter(FilterTable filter) : filter_(std::move(filter)) {}
 
   void SetUp() override {
     plugin_ = load_plugin();
     ASSERT_NE(plugin_, nullptr);
-    action_ = find_action(*plugin_, text_of(id_).menu_name);
-    ASSERT_NE(action_, nullptr) << text_of(id_).menu_name;
+    action_ = find_action(*plugin_, filter_.about.menu_name);
+    ASSERT_NE(action_, nullptr) << filter_.about.menu_name;
     mesh_ = document_.addNewMesh("", "sphere");
     vcg::tri::Sphere(mesh_->cm, subdivisions);
     vcg::tri::UpdateNormal<CMeshO>::PerFaceNormalized(mesh_->cm);
@@ -79,7 +82,7 @@ class LoadedFilter : public testing::Test {
     return lines.join("\n").toStdString();
   }
 
-  const FilterId id_;
+  const FilterTable filter_;
   HostFilter* plugin_ = nullptr;
   QAction* action_ = nullptr;
   MeshDocument document_;
@@ -87,19 +90,19 @@ class LoadedFilter : public testing::Test {
   GLLogStream log_;
 };
 
-class AnyFilter : public LoadedFilter, public testing::WithParamInterface<FilterId> {
+class AnyFilter : public LoadedFilter, public testing::WithParamInterface<FilterTable> {
  protected:
   AnyFilter() : LoadedFilter(GetParam()) {}
 };
 
-class EdgeCollapseFilter : public LoadedFilter {
+class EdgeCollapse : public LoadedFilter {
  protected:
-  EdgeCollapseFilter() : LoadedFilter(FilterId::CurvatureEdgeCollapse) {}
+  EdgeCollapse() : LoadedFilter(table_of<EdgeCollapseFilter>()) {}
 };
 
-class ImportanceFilter : public LoadedFilter {
+class Importance : public LoadedFilter {
  protected:
-  ImportanceFilter() : LoadedFilter(FilterId::CurvatureImportance) {}
+  Importance() : LoadedFilter(table_of<CurvatureImportanceFilter>()) {}
 };
 
 /// The list of a script that gives one parameter and leaves the others out.
@@ -110,6 +113,15 @@ RichParameterList only(const RichParameter& parameter) {
 }
 
 QString name_of(const Parameter& parameter) { return QString::fromStdString(parameter.name); }
+
+TEST(Plugin, HasTheActionsOfTheListInItsOrder) {
+  HostFilter* const plugin = load_plugin();
+  ASSERT_NE(plugin, nullptr);
+  std::vector<std::string> names, actions;
+  for (const FilterTable& filter : AllFilters::tables()) names.push_back(filter.about.menu_name);
+  for (const QAction* action : plugin->actions()) actions.push_back(action->text().toStdString());
+  EXPECT_EQ(actions, names);
+}
 
 TEST_P(AnyFilter, DeclaresWhatTheLoaderChecks) {
   EXPECT_NE(plugin_->getClass(action_), HostFilter::Generic);
@@ -122,21 +134,21 @@ TEST_P(AnyFilter, DeclaresWhatTheLoaderChecks) {
 
 TEST_P(AnyFilter, OffersItsRowsOfTheTableWithLabelAndHelp) {
   const RichParameterList list = defaults();
-  const auto rows = parameters_of(id_);
+  const auto& rows = filter_.parameters;
   ASSERT_EQ(list.size(), rows.size());
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    EXPECT_EQ(list.at(i).name().toStdString(), rows[i]->name);
-    EXPECT_FALSE(list.at(i).fieldDescription().isEmpty()) << rows[i]->name;
-    EXPECT_FALSE(list.at(i).toolTip().isEmpty()) << rows[i]->name;
+    EXPECT_EQ(list.at(i).name().toStdString(), rows[i].name);
+    EXPECT_EQ(list.at(i).fieldDescription().toStdString(), rows[i].label);
+    EXPECT_EQ(list.at(i).toolTip().toStdString(), dialog_help(rows[i]));
   }
 }
 
 TEST_P(AnyFilter, HasDefaultsForAnEmptyMeshAndForNone) {
   mesh_->cm.Clear();
-  EXPECT_EQ(defaults().size(), parameters_of(id_).size());
+  EXPECT_EQ(defaults().size(), filter_.parameters.size());
   MeshDocument nothing;
   const RichParameterList list = default_parameters(*plugin_, action_, nothing);
-  EXPECT_EQ(list.size(), parameters_of(id_).size());
+  EXPECT_EQ(list.size(), filter_.parameters.size());
   EXPECT_NE(run_filter(*plugin_, action_, nothing, list, nullptr), "");
 }
 
@@ -157,18 +169,18 @@ TEST_P(AnyFilter, LeavesTheMeshAsItWasWhenToldToStop) {
 TEST_P(AnyFilter, RunsWithoutCallback) { EXPECT_EQ(run(defaults(), nullptr), ""); }
 
 TEST_P(AnyFilter, RunsWithEveryChoiceOfEveryEnum) {
-  for (const Parameter* parameter : parameters_of(id_))
-    for (int choice = 0; choice < static_cast<int>(parameter->values.size()); ++choice)
-      EXPECT_EQ(run(only(RichEnum(name_of(*parameter), choice, {}))), "")
-          << parameter->name << " = " << parameter->values[choice].name;
+  for (const Parameter& parameter : filter_.parameters)
+    for (int choice = 0; choice < static_cast<int>(parameter.choices.size()); ++choice)
+      EXPECT_EQ(run(only(RichEnum(name_of(parameter), choice, {}))), "")
+          << parameter.name << " = " << parameter.choices[choice].name;
 }
 
 TEST_P(AnyFilter, RunsWithEveryBoolOnAndOff) {
   vcg::tri::UpdateSelection<CMeshO>::FaceAll(mesh_->cm);
-  for (const Parameter* parameter : parameters_of(id_)) {
-    if (parameter->kind != Kind::Bool) continue;
+  for (const Parameter& parameter : filter_.parameters) {
+    if (parameter.kind != Kind::Bool) continue;
     for (bool on : {false, true})
-      EXPECT_EQ(run(only(RichBool(name_of(*parameter), on))), "") << parameter->name;
+      EXPECT_EQ(run(only(RichBool(name_of(parameter), on))), "") << parameter.name;
   }
 }
 
@@ -186,40 +198,49 @@ RichParameterList invalid(const Parameter& parameter) {
 
 TEST_P(AnyFilter, RefusesWhatIsOutOfRangeByNameAndLeavesTheMesh) {
   const std::string before = bits_of(*mesh_);
-  for (const Parameter* parameter : parameters_of(id_)) {
-    if (parameter->kind == Kind::Bool) continue;
-    EXPECT_EQ(run(invalid(*parameter)).find(parameter->name + " is "), 0u) << parameter->name;
-    EXPECT_EQ(bits_of(*mesh_), before) << parameter->name;
+  for (const Parameter& parameter : filter_.parameters) {
+    if (parameter.kind == Kind::Bool) continue;
+    EXPECT_EQ(run(invalid(parameter)).find(parameter.name + " is "), 0u) << parameter.name;
+    EXPECT_EQ(bits_of(*mesh_), before) << parameter.name;
   }
 }
 
 TEST_P(AnyFilter, RefusesAValueOfAnotherType) {
-  const Parameter& first = *parameters_of(id_).front();
+  const Parameter& first = filter_.parameters.front();
   const std::string error = run(only(RichString(name_of(first), "many")));
   EXPECT_EQ(error.find(first.name + " is given as String"), 0u) << error;
 }
 
+TEST_P(AnyFilter, LogsItsResultsInTheOrderOfTheTable) {
+  EXPECT_EQ(run(defaults()), "");
+  const std::string log = "\n" + log_text();
+  std::vector<std::size_t> places;
+  for (const ResultText& result : filter_.results)
+    if (const auto at = log.find("\n" + result.name + ": "); at != std::string::npos)
+      places.push_back(at);
+  EXPECT_GE(places.size(), 3u) << log;
+  EXPECT_TRUE(std::is_sorted(places.begin(), places.end())) << log;
+}
+
 TEST_P(AnyFilter, TakesDefaultsForWhatAScriptLeavesOut) { EXPECT_EQ(run(RichParameterList()), ""); }
 
-INSTANTIATE_TEST_SUITE_P(Filters, AnyFilter,
-                         testing::Values(FilterId::CurvatureEdgeCollapse,
-                                         FilterId::CurvatureImportance),
-                         [](const auto& each) { return text_of(each.param).python_name; });
+INSTANTIATE_TEST_SUITE_P(Filters, AnyFilter, testing::ValuesIn(AllFilters::tables()),
+                         [](const auto& each) { return each.param.about.python_name; });
 
-TEST_F(EdgeCollapseFilter, HalvesTheFacesByDefault) {
+TEST_F(EdgeCollapse, HalvesTheFacesByDefault) {
   EXPECT_EQ(run(defaults()), "");
   EXPECT_EQ(mesh_->cm.fn, sphere_faces / 2);
   EXPECT_EQ(mesh_->cm.face.size(), sphere_faces / 2u);
 }
 
-TEST_F(EdgeCollapseFilter, StopsMidway) {
+TEST_F(EdgeCollapse, StopsMidway) {
   const std::string before = bits_of(*mesh_);
   EXPECT_EQ(run(defaults(), stop_late), "");
   EXPECT_EQ(bits_of(*mesh_), before);
   EXPECT_NE(log_text().find("stopped_by: cancelled"), std::string::npos) << log_text();
 }
 
-TEST_F(EdgeCollapseFilter, DropsAdjacencyAndUpdatesNormalsAndCounters) {
+TEST_F(EdgeCollapse, DropsAdjacencyAndUpdatesNormalsAndCounters) {
   mesh_->updateDataMask(MeshModel::MM_FACEFACETOPO | MeshModel::MM_VERTFACETOPO);
   vcg::tri::UpdateSelection<CMeshO>::FaceAll(mesh_->cm);
   EXPECT_EQ(run(defaults()), "");
@@ -230,24 +251,24 @@ TEST_F(EdgeCollapseFilter, DropsAdjacencyAndUpdatesNormalsAndCounters) {
     EXPECT_GT(face.cN() * vcg::TriangleNormal(face).Normalize(), 0.9999);
 }
 
-TEST_F(EdgeCollapseFilter, ReadsADecimalFractionExactly) {
+TEST_F(EdgeCollapse, ReadsADecimalFractionExactly) {
   // 0.7 as float is less than 0.7: cut down to an int, that would be a face short.
   EXPECT_EQ(run(only(RichFloat("TargetPerc", 0.7f))), "");
   EXPECT_EQ(mesh_->cm.fn, sphere_faces * 7 / 10);
 }
 
-TEST_F(EdgeCollapseFilter, HasTheSameDefaultsAfterOtherCalls) {
+TEST_F(EdgeCollapse, HasTheSameDefaultsAfterOtherCalls) {
   EXPECT_EQ(run(only(RichFloat("NormalAngle", 10))), "");
   EXPECT_EQ(defaults().getParameterByName("NormalAngle").value().getFloat(), 90);
 }
 
-TEST_F(EdgeCollapseFilter, LeavesAMeshThatIsSmallEnoughToTheBit) {
+TEST_F(EdgeCollapse, LeavesAMeshThatIsSmallEnoughToTheBit) {
   const std::string before = bits_of(*mesh_);
   EXPECT_EQ(run(only(RichInt("TargetFaceNum", sphere_faces))), "");
   EXPECT_EQ(bits_of(*mesh_), before);
 }
 
-TEST_F(ImportanceFilter, WritesTheCurvatureOfASphere) {
+TEST_F(Importance, WritesTheCurvatureOfASphere) {
   constexpr double curvature = 2.0;  // |k1| + |k2| of a sphere of radius 1
   constexpr double tolerance = 0.3;  // the twelve vertices of five faces are off by 15 %
   EXPECT_EQ(run(defaults()), "");

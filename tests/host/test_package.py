@@ -14,10 +14,12 @@ import pymeshlab
 import pymeshlab_curvdecim
 import pytest
 from drawn_meshes import bumpy_sheet, mesh_set
-from samples import DECIMATE, IMPORTANCE, SHIPPED
+from pymeshlab_curvdecim.description import read_filters
+from samples import CLUSTER, DECIMATE, IMPORTANCE, SHIPPED, STEPWISE
 
 COW = str(SHIPPED / "cow.obj")
 METHOD = getattr(pymeshlab.MeshSet, DECIMATE)
+ALL = (*STEPWISE, CLUSTER, IMPORTANCE)
 
 
 def python(code, **environment):
@@ -47,7 +49,7 @@ def test_plugin_that_is_loaded_already_is_used():
     assert answer.stdout.endswith("True\n"), answer.stderr
 
 
-@pytest.mark.parametrize("name", [DECIMATE, IMPORTANCE])
+@pytest.mark.parametrize("name", ALL)
 def test_filters_are_methods_and_functions(name):
     assert getattr(pymeshlab.MeshSet, name) is getattr(pymeshlab_curvdecim, name)
 
@@ -77,10 +79,19 @@ def test_signature_has_types_and_defaults():
 def test_documentation_names_every_parameter_in_plain_text():
     text = METHOD.__doc__
     assert all(f"\n{name} : " in text for name in list(inspect.signature(METHOD).parameters)[1:])
+    assert all(f"\n{each.name}" in text for each in read_filters()[DECIMATE].results)
     assert "<" not in text
 
 
-@pytest.mark.parametrize("name", [DECIMATE, IMPORTANCE])
+@pytest.mark.parametrize("name", ALL)
+def test_returns_what_is_described(name):
+    report = getattr(mesh_set(*bumpy_sheet()), name)()
+    described = [each.name for each in read_filters()[name].results]
+    assert set(report) <= set(described)
+    assert len(report) >= 3
+
+
+@pytest.mark.parametrize("name", ALL)
 def test_stated_defaults_are_the_plugins(name):
     """Giving every stated default changes nothing."""
     function = getattr(pymeshlab_curvdecim, name)

@@ -112,7 +112,7 @@ TEST(ClusteringThreads, DoNotShowInTheResult) {
         params.threads = threads;
         const Clustered many = clustered(sphere, params);
         EXPECT_EQ(many.shape, one.shape) << each.name << ", " << threads << " threads";
-        EXPECT_EQ(many.report.max_error, one.report.max_error);
+        EXPECT_EQ(many.report.largest_move, one.report.largest_move);
         EXPECT_EQ(many.report.cost_last, one.report.cost_last);
       }
     }

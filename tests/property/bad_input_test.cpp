@@ -164,33 +164,33 @@ using P = EdgeCollapseParams;
 INSTANTIATE_TEST_SUITE_P(
     Each, BadParameters,
     testing::Values(
-        BadParameter{"NegativeFaces", "TargetFaceNum", [](P& p) { p.target_faces = -1; }},
-        BadParameter{"SmallestFaces", "TargetFaceNum",
+        BadParameter{"NegativeFaces", "target_faces", [](P& p) { p.target_faces = -1; }},
+        BadParameter{"SmallestFaces", "target_faces",
                      [](P& p) { p.target_faces = std::numeric_limits<int>::min(); }},
-        BadParameter{"NegativeVertices", "TargetVertNum", [](P& p) { p.target_vertices = -3; }},
-        BadParameter{"NegativeFraction", "TargetPerc", [](P& p) { p.target_fraction = -0.1; }},
-        BadParameter{"FractionAboveOne", "TargetPerc", [](P& p) { p.target_fraction = 1.01; }},
-        BadParameter{"FractionNan", "TargetPerc", [](P& p) { p.target_fraction = nan; }},
-        BadParameter{"NegativeError", "MaxError", [](P& p) { p.max_error = -1.0; }},
-        BadParameter{"ErrorNan", "MaxError", [](P& p) { p.max_error = nan; }},
-        BadParameter{"ErrorInfinite", "MaxError", [](P& p) { p.max_error = infinity; }},
-        BadParameter{"BoundaryWeightNan", "BoundaryWeight", [](P& p) { p.boundary_weight = nan; }},
-        BadParameter{"BoundaryWeightNegative", "BoundaryWeight",
+        BadParameter{"NegativeVertices", "target_vertices", [](P& p) { p.target_vertices = -3; }},
+        BadParameter{"NegativeFraction", "target_fraction", [](P& p) { p.target_fraction = -0.1; }},
+        BadParameter{"FractionAboveOne", "target_fraction", [](P& p) { p.target_fraction = 1.01; }},
+        BadParameter{"FractionNan", "target_fraction", [](P& p) { p.target_fraction = nan; }},
+        BadParameter{"NegativeError", "max_error", [](P& p) { p.max_error = -1.0; }},
+        BadParameter{"ErrorNan", "max_error", [](P& p) { p.max_error = nan; }},
+        BadParameter{"ErrorInfinite", "max_error", [](P& p) { p.max_error = infinity; }},
+        BadParameter{"BoundaryWeightNan", "boundary_weight", [](P& p) { p.boundary_weight = nan; }},
+        BadParameter{"BoundaryWeightNegative", "boundary_weight",
                      [](P& p) { p.boundary_weight = -1.0; }},
-        BadParameter{"NormalAngleNan", "NormalAngle", [](P& p) { p.normal_angle = nan; }},
-        BadParameter{"NormalAngleAbove", "NormalAngle", [](P& p) { p.normal_angle = 181.0; }},
-        BadParameter{"FeatureAngleNegative", "FeatureAngle", [](P& p) { p.feature_angle = -1.0; }},
-        BadParameter{"FeatureAngleNan", "FeatureAngle", [](P& p) { p.feature_angle = nan; }},
-        BadParameter{"AlphaNan", "Alpha", [](P& p) { p.alpha = nan; }},
-        BadParameter{"FloorAboveOne", "CurvatureFloor", [](P& p) { p.curvature_floor = 1.5; }},
-        BadParameter{"FloorNan", "CurvatureFloor", [](P& p) { p.curvature_floor = nan; }},
-        BadParameter{"LambdaNan", "Lambda", [](P& p) { p.lambda = nan; }},
-        BadParameter{"LambdaNegative", "Lambda", [](P& p) { p.lambda = -1e-3; }},
-        BadParameter{"PairDistanceNan", "PairDistance", [](P& p) { p.pair_distance = nan; }},
-        BadParameter{"PairDistanceNegative", "PairDistance", [](P& p) { p.pair_distance = -1.0; }},
-        BadParameter{"PairDistanceInfinite", "PairDistance",
+        BadParameter{"NormalAngleNan", "normal_angle", [](P& p) { p.normal_angle = nan; }},
+        BadParameter{"NormalAngleAbove", "normal_angle", [](P& p) { p.normal_angle = 181.0; }},
+        BadParameter{"FeatureAngleNegative", "feature_angle", [](P& p) { p.feature_angle = -1.0; }},
+        BadParameter{"FeatureAngleNan", "feature_angle", [](P& p) { p.feature_angle = nan; }},
+        BadParameter{"AlphaNan", "alpha", [](P& p) { p.alpha = nan; }},
+        BadParameter{"FloorAboveOne", "curvature_floor", [](P& p) { p.curvature_floor = 1.5; }},
+        BadParameter{"FloorNan", "curvature_floor", [](P& p) { p.curvature_floor = nan; }},
+        BadParameter{"LambdaNan", "lambda", [](P& p) { p.lambda = nan; }},
+        BadParameter{"LambdaNegative", "lambda", [](P& p) { p.lambda = -1e-3; }},
+        BadParameter{"PairDistanceNan", "pair_distance", [](P& p) { p.pair_distance = nan; }},
+        BadParameter{"PairDistanceNegative", "pair_distance", [](P& p) { p.pair_distance = -1.0; }},
+        BadParameter{"PairDistanceInfinite", "pair_distance",
                      [](P& p) { p.pair_distance = infinity; }},
-        BadParameter{"NegativeThreads", "Threads", [](P& p) { p.threads = -1; }},
+        BadParameter{"NegativeThreads", "threads", [](P& p) { p.threads = -1; }},
         BadParameter{"NoTarget", "No target", [](P& p) { p.target_faces = P::no_target; }},
         BadParameter{"NothingSelected", "no face is selected",
                      [](P& p) { p.selected_only = true; }}),
@@ -200,7 +200,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(GoodParameters, AtTheEndsOfTheirRangesAreTaken) {
   EdgeCollapseParams params = to_faces(40);
-  for (double alpha : {-infinity, -1.0, 0.0, 1e300, infinity})
+  for (double alpha : {-1e300, -1.0, 0.0, 1e300})
     for (double weight : {0.0, 1e100})
       for (double angle : {0.0, 180.0}) {
         params.alpha = alpha, params.boundary_weight = weight, params.feature_angle = angle;
@@ -236,7 +236,7 @@ TEST(QualityWeight, AllZeroIsIgnoredAndSaid) {
   const DecimationReport report = decimate(weighted, weighted_by_quality());
   EXPECT_EQ(shape_of(weighted), shape_of(plain));
   ASSERT_FALSE(report.notes.empty());
-  EXPECT_NE(report.notes[0].find("QualityWeight"), std::string::npos);
+  EXPECT_NE(report.notes[0].find("weight by quality has no effect"), std::string::npos);
 }
 
 TEST(QualityWeight, KeepsMoreFacesWhereItIsHigh) {

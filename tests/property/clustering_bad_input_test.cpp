@@ -95,7 +95,7 @@ TEST(ClusteringBadMesh, CoordinatesTooLargeToSubtractAreRefused) {
 TEST(ClusteringBadMesh, ThatWouldVanishIsRefused) {
   RichMesh mesh;
   fill_with_attributes(mesh, icosphere(1));
-  expect_refused(mesh, with_cells(100.0), {"No face would be left", "CellSize"});
+  expect_refused(mesh, with_cells(100.0), {"No face would be left", "cell_size"});
 }
 
 TEST(ClusteringBadMesh, AQualityThatIsNotFiniteIsNamed) {
@@ -144,17 +144,18 @@ using B = BadClusteringParameter;
 
 INSTANTIATE_TEST_SUITE_P(
     Each, BadClusteringParameters,
-    testing::Values(B{"NegativeSize", "CellSize", [](P& p) { p.cell_size = -0.1; }},
-                    B{"SizeNan", "CellSize", [](P& p) { p.cell_size = nan; }},
-                    B{"SizeInfinite", "CellSize", [](P& p) { p.cell_size = infinity; }},
-                    B{"SizeTooSmall", "CellSize", [](P& p) { p.cell_size = 1e-9; }},
+    testing::Values(B{"NegativeSize", "cell_size", [](P& p) { p.cell_size = -0.1; }},
+                    B{"SizeNan", "cell_size", [](P& p) { p.cell_size = nan; }},
+                    B{"SizeInfinite", "cell_size", [](P& p) { p.cell_size = infinity; }},
+                    B{"SizeTooSmall", "cell_size", [](P& p) { p.cell_size = 1e-9; }},
                     B{"NoTarget", "No target", [](P& p) { p.cell_size = 0.0; }},
-                    B{"NegativeFaces", "TargetFaceNum", [](P& p) { p.target_faces = -1; }},
-                    B{"FractionAboveOne", "TargetPerc", [](P& p) { p.target_fraction = 1.01; }},
-                    B{"FractionNan", "TargetPerc", [](P& p) { p.target_fraction = nan; }},
-                    B{"WeightNan", "BoundaryWeight", [](P& p) { p.boundary_weight = nan; }},
-                    B{"WeightNegative", "BoundaryWeight", [](P& p) { p.boundary_weight = -1.0; }},
-                    B{"NegativeThreads", "Threads", [](P& p) { p.threads = -1; }}),
+                    B{"NegativeFaces", "target_faces", [](P& p) { p.target_faces = -1; }},
+                    B{"FractionAboveOne", "target_fraction",
+                      [](P& p) { p.target_fraction = 1.01; }},
+                    B{"FractionNan", "target_fraction", [](P& p) { p.target_fraction = nan; }},
+                    B{"WeightNan", "boundary_weight", [](P& p) { p.boundary_weight = nan; }},
+                    B{"WeightNegative", "boundary_weight", [](P& p) { p.boundary_weight = -1.0; }},
+                    B{"NegativeThreads", "threads", [](P& p) { p.threads = -1; }}),
     [](const testing::TestParamInfo<B>& each) { return std::string(each.param.name); });
 
 }  // namespace

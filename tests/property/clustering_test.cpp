@@ -43,12 +43,12 @@ TEST_P(Clustering, StaysWithinItsBoundOfTheInput) {
   for (double size : cell_sizes) {
     const ClusteringParams params = with_cells(size);
     const auto [after, report] = clustered(shape(), params);
-    EXPECT_LE(report.max_error, params.cell_size * (1.0 + 1e-12));
+    EXPECT_LE(report.largest_move, params.cell_size * (1.0 + 1e-12));
     EXPECT_NEAR(report.cell_size, params.cell_size, 1e-12 * params.cell_size);
     for (const Corners& f : after.faces) {
       const auto [a, b, c] = corners_of(after, f);
       for (const Point& p : {a, b, c, Point((a + b) / 2), Point((a + b + c) / 3)})
-        ASSERT_LE(distance_to(shape(), p), report.max_error * (1.0 + 1e-9) + 1e-15);
+        ASSERT_LE(distance_to(shape(), p), report.largest_move * (1.0 + 1e-9) + 1e-15);
     }
   }
 }

@@ -12,6 +12,9 @@
 #include "vcg_ext/curvature/curvature_field.h"
 
 namespace curvdecim::test {
+
+using namespace detail;
+
 namespace {
 
 std::vector<Shape> curved_shapes() { return {bumpy_sphere(4), torus(64, 32), saddle(40)}; }

@@ -219,15 +219,15 @@ using B = BadRemovalParameter;
 INSTANTIATE_TEST_SUITE_P(
     Each, BadRemovalParameters,
     testing::Values(B{"NoTarget", "No target", [](P& p) { p.target_faces = P::no_target; }},
-                    B{"NegativeFaces", "TargetFaceNum", [](P& p) { p.target_faces = -1; }},
-                    B{"NegativeBound", "DistanceBound", [](P& p) { p.distance_bound = -0.1; }},
-                    B{"BoundNan", "DistanceBound", [](P& p) { p.distance_bound = nan; }},
-                    B{"BoundInfinite", "DistanceBound", [](P& p) { p.distance_bound = infinity; }},
-                    B{"AspectNan", "AspectRatioMin", [](P& p) { p.aspect_ratio_min = nan; }},
-                    B{"AspectAbove", "AspectRatioMin", [](P& p) { p.aspect_ratio_min = 0.51; }},
-                    B{"AspectBelow", "AspectRatioMin", [](P& p) { p.aspect_ratio_min = -0.01; }},
-                    B{"AngleNan", "FeatureAngle", [](P& p) { p.feature_angle = nan; }},
-                    B{"NegativeThreads", "Threads", [](P& p) { p.threads = -1; }}),
+                    B{"NegativeFaces", "target_faces", [](P& p) { p.target_faces = -1; }},
+                    B{"NegativeBound", "distance_bound", [](P& p) { p.distance_bound = -0.1; }},
+                    B{"BoundNan", "distance_bound", [](P& p) { p.distance_bound = nan; }},
+                    B{"BoundInfinite", "distance_bound", [](P& p) { p.distance_bound = infinity; }},
+                    B{"AspectNan", "aspect_ratio_min", [](P& p) { p.aspect_ratio_min = nan; }},
+                    B{"AspectAbove", "aspect_ratio_min", [](P& p) { p.aspect_ratio_min = 0.51; }},
+                    B{"AspectBelow", "aspect_ratio_min", [](P& p) { p.aspect_ratio_min = -0.01; }},
+                    B{"AngleNan", "feature_angle", [](P& p) { p.feature_angle = nan; }},
+                    B{"NegativeThreads", "threads", [](P& p) { p.threads = -1; }}),
     [](const testing::TestParamInfo<B>& each) { return std::string(each.param.name); });
 
 }  // namespace

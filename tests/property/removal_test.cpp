@@ -9,9 +9,12 @@
 #include "support/properties.h"
 #include "support/removal.h"
 #include "support/working_mesh.h"
-#include "vcg_ext/operators/removal_record.h"
+#include "vcg_ext/removal/removal_record.h"
 
 namespace curvdecim::test {
+
+using namespace detail;
+
 namespace {
 
 class RemovalOnAnyMesh : public testing::TestWithParam<NamedShape> {};
@@ -67,10 +70,9 @@ TEST_P(RemovalOnAnyMesh, ReportsWhatItDid) {
 
 /// Removes all that may go, in the order of the numbers, then takes it all back.
 TEST_P(RemovalOnAnyMesh, IsUndoneToTheBitByInsertion) {
-  RemovalOn removal(GetParam().shape);
-  const WorkingMesh before = removal.mesh;
   RemovalRecord record;
-  removal.remover.add_observer(record);
+  RemovalOn removal(GetParam().shape, {}, {&record});
+  const WorkingMesh before = removal.mesh;
   for (int v = 0; v < before.connectivity.vertex_slots(); ++v)
     if (const RemovalAnswer answer = removal.ask(v); !answer.refusal) removal.remove(answer);
   ASSERT_GT(record.size(), before.position.size() / 10);
@@ -191,7 +193,7 @@ TEST(RemovalOfAHub, IsSeldomTriedAgain) {
   for (int i = 1; i <= 60; i += 2) star.vertices[i] *= 0.5;
   DecimationReport report = thinned(star, removal_to(20)).report;
   EXPECT_EQ(report.faces, 20);
-  EXPECT_EQ(report.rejected_by(Rejection::LoopSplit), 1);
+  EXPECT_EQ(report.rejected[Rejection::LoopSplit], 1);
 }
 
 TEST(RemovalBound, LeavesFewerFacesWhenItIsWider) {

@@ -9,9 +9,11 @@
 
 #include "support/mesh_types.h"
 #include "support/shape.h"
-#include "vcg_ext/cluster.h"
+#include "vcg_ext/vertex_clustering.h"
 
 namespace curvdecim::test {
+
+using namespace detail;
 
 // The core's templates, compiled once for all suites.
 ClusteringReport cluster(BareMesh& mesh, const ClusteringParams& params,

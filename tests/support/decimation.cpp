@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "support/decimation.h"
 
-#include "vcg_ext/decimate.h"
+#include "vcg_ext/algebraic_sphere.h"
+#include "vcg_ext/curvature_importance.h"
+#include "vcg_ext/edge_collapse.h"
 
 namespace curvdecim::test {
 

@@ -219,6 +219,29 @@ Shape capped_cylinder(int around, int along) {
   return shape;
 }
 
+Shape double_cone(int sides) {
+  Shape shape = fan(sides);
+  shape.vertices[0] = {0, 0, 0.5};
+  shape.vertices.push_back({0, 0, -0.5});
+  for (int f = 0; f < sides; ++f)
+    shape.faces.push_back({shape.vertex_count() - 1, shape.faces[f][2], shape.faces[f][1]});
+  return shape;
+}
+
+Shape rough_cones(int sides, int count) {
+  std::minstd_rand random(sides);
+  std::uniform_real_distribution<double> radius(0.6, 1.0), height(-1.0, 1.0), tip(1.0, 3.0);
+  Shape cones;
+  for (int i = 0; i < count; ++i) {
+    Shape cone = double_cone(sides);
+    for (int v = 1; v <= sides; ++v)
+      cone.vertices[v] = radius(random) * cone.vertices[v] + Point(0, 0, height(random));
+    cone.vertices.front().z() = tip(random), cone.vertices.back().z() = -tip(random);
+    cones = side_by_side({cones, translated(cone, {2.0 * i, 0.0, 0.0})});
+  }
+  return cones;
+}
+
 Shape saddle(int cells) {
   return mapped(plane_grid(cells), [](const Point& p) {
     const double x = p.x() - 0.5, y = p.y() - 0.5;

@@ -31,6 +31,9 @@ Shape bumpy_sphere(int subdivisions);
 Shape torus(int around, int across);         ///< radii 1 and 0.4
 Shape open_cylinder(int around, int along);  ///< radius 1, height 2
 Shape capped_cylinder(int around, int along);
+Shape double_cone(int sides);  ///< two cones on one rim; the tips are hubs
+/// Double cones side by side, with rough rims: many edges of their hubs are refused.
+Shape rough_cones(int sides, int count);
 Shape saddle(int cells);
 Shape dense_box(int cells, const Point& size);  ///< `cells` along every edge
 Shape moebius_strip(int around, int across);

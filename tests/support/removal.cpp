@@ -17,6 +17,8 @@ Thinned thinned_as(const Shape& shape, const VertexRemovalParams& params) {
   return {shape_of(mesh), std::move(report)};
 }
 
+bool no_seam(int, int, int, int) { return false; }
+
 }  // namespace
 
 DecimationReport remove(BareMesh& mesh, const VertexRemovalParams& params,
@@ -61,18 +63,20 @@ std::vector<RemovalVariant> removal_variants() {
           {"PassesWithFeatures", RemovalCriterion::Passes, true}};
 }
 
-RemovalOn::RemovalOn(const Shape& shape, const VertexRemovalParams& requested)
-    : params(requested),
+RemovalOn::RemovalOn(const Shape& shape, const VertexRemovalParams& params,
+                     RemovalObservers observers)
+    : plan(plan_without_target(params, 1.0)),
       mesh(working_mesh(shape)),
-      remover(mesh, feature_edges(mesh, params, std::nullopt, Parallel(1)), params),
-      scratch(mesh, params) {}
+      removals(mesh, feature_edges(mesh, plan, no_seam, Parallel(1)), plan, std::move(observers)),
+      scratch(mesh, plan) {}
 
-VertexClass RemovalOn::class_of(int v) { return remover.class_at(v, scratch.fan); }
+VertexClass RemovalOn::class_of(int v) { return removals.class_at(v, scratch.fan); }
 
-RemovalAnswer RemovalOn::ask(int v) { return remover.evaluate(v, scratch); }
+RemovalAnswer RemovalOn::ask(int v) { return removals.evaluate(v, scratch); }
 
 void RemovalOn::remove(const RemovalAnswer& answer) {
-  mesh.connectivity.count(remover.remove(answer, scratch));
+  mesh.connectivity.count(removals.remove(answer, scratch));
+  mesh.connectivity.validate();
 }
 
 }  // namespace curvdecim::test

@@ -9,9 +9,11 @@
 
 #include "support/mesh_types.h"
 #include "support/shape.h"
-#include "vcg_ext/remove_vertices.h"
+#include "vcg_ext/vertex_removal.h"
 
 namespace curvdecim::test {
+
+using namespace detail;
 
 // The core's templates, compiled once for all suites.
 DecimationReport remove(BareMesh& mesh, const VertexRemovalParams& params,
@@ -50,17 +52,18 @@ std::vector<RemovalVariant> removal_variants();
 /// Without the way back to a vcg mesh: of the shape in its own unit, features by the angle.
 class RemovalOn {
  public:
-  explicit RemovalOn(const Shape& shape, const VertexRemovalParams& requested = {});
+  explicit RemovalOn(const Shape& shape, const VertexRemovalParams& params = {},
+                     RemovalObservers observers = {});
 
   VertexClass class_of(int v);
   RemovalAnswer ask(int v);
   /// Removes the vertex that was asked about last.
   void remove(const RemovalAnswer& answer);
 
-  const VertexRemovalParams params;
+  const RemovalPlan plan;
   WorkingMesh mesh;
-  VertexRemover remover;
-  VertexRemover::Scratch scratch;
+  RemovalOperator removals;
+  RemovalOperator::Scratch scratch;
 };
 
 }  // namespace curvdecim::test

@@ -4,11 +4,12 @@
 #include <numeric>
 
 #include "support/shape.h"
-#include "vcg_ext/guard/triangle_after.h"
 #include "vcg_ext/mesh/working_mesh.h"
-#include "vcg_ext/metric/candidate.h"
+#include "vcg_ext/mesh/edge_neighborhood.h"
 
 namespace curvdecim::test {
+
+using namespace detail;
 
 inline TriangleConnectivity connectivity_of(const Shape& shape) {
   return {shape.faces, shape.vertex_count()};
@@ -35,12 +36,13 @@ template <class Release, class Merge>
 void collapse_edge(WorkingMesh& mesh, Edge edge, const Vector3& x, Release release, Merge merge) {
   EdgeNeighborhood around;
   around.gather(mesh.connectivity, edge);
-  const Collapse done{edge.a, edge.b, mesh.position[edge.a], mesh.position[edge.b], x, 0.5};
+  const VertexMerge done{edge.a, edge.b, mesh.position[edge.a], mesh.position[edge.b], x, 0.5};
   std::vector<FacePlane> after;
   for (int f : around.star()) after.push_back(face_plane(triangle_after(mesh, f, edge, x)));
   release(around, after);
   mesh.position[edge.a] = x;
   mesh.connectivity.count(mesh.connectivity.collapse(edge.a, edge.b));
+  mesh.connectivity.validate();
   for (int f : around.star()) mesh.update_plane(f);
   merge(done, around);
 }

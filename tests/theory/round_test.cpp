@@ -14,6 +14,9 @@
 #include "vcg_ext/curvature/vertex_curvature.h"
 
 namespace curvdecim::test {
+
+using namespace detail;
+
 namespace {
 
 // --- Gauss-Bonnet --------------------------------------------------------------------------------
@@ -88,7 +91,7 @@ TEST_P(Radius, ShowsInTheImportance) {
   params.curvature_kind = CurvatureKind::Gaussian;
   importance(mesh, params);
   for (const RichVertex& v : mesh.vert) ASSERT_NEAR(v.cQ() * GetParam() * GetParam(), 1.0, 0.2);
-  params.as_factor = true;
+  params.output = ImportanceOf::Factor;
   importance(mesh, params);
   for (const RichVertex& v : mesh.vert) {
     ASSERT_GE(v.cQ(), params.curvature_floor);

@@ -6,6 +6,9 @@
 #include <cmath>
 
 namespace curvdecim::test {
+
+using namespace detail;
+
 namespace {
 
 /// Seen from the origin.

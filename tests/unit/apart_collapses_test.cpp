@@ -6,12 +6,15 @@
 
 #include "support/mesh_group.h"
 #include "support/working_mesh.h"
-#include "vcg_ext/connectivity/triangle_connectivity.h"
-#include "vcg_ext/parallel.h"
-#include "vcg_ext/queue/edge_choices.h"
-#include "vcg_ext/queue/round_selection.h"
+#include "vcg_ext/collapse/edge_queue.h"
+#include "vcg_ext/collapse/round_selection.h"
+#include "vcg_ext/mesh/triangle_connectivity.h"
+#include "vcg_ext/parallel/parallel.h"
 
 namespace curvdecim::test {
+
+using namespace detail;
+
 namespace {
 
 using Counts = std::pair<int, int>;

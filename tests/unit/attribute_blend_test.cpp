@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "vcg_ext/mesh/attribute_blend.h"
+#include "vcg_ext/attributes/attribute_blend.h"
 
 #include <gtest/gtest.h>
 
@@ -7,6 +7,9 @@
 #include "support/working_mesh.h"
 
 namespace curvdecim::test {
+
+using namespace detail;
+
 namespace {
 
 /// The record of one collapse of 12 into 17 of a 4 x 4 grid, to `now`.

@@ -12,6 +12,9 @@
 #include "support/mesh_group.h"
 
 namespace curvdecim::test {
+
+using namespace detail;
+
 namespace {
 
 /// Independent of the orientation: by counting all edges.

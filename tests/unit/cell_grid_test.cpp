@@ -6,7 +6,8 @@
 #include <cmath>
 #include <set>
 
-namespace curvdecim {
+namespace curvdecim::detail {
+
 namespace {
 
 const Vector3 half_size(0.4, 0.25, 0.1);
@@ -78,4 +79,4 @@ TEST(CellGrid, TheLargestDiameterIsOneCellAndTheLeastFitsTheKey) {
 }
 
 }  // namespace
-}  // namespace curvdecim
+}  // namespace curvdecim::detail

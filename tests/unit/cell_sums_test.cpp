@@ -3,7 +3,8 @@
 
 #include <gtest/gtest.h>
 
-namespace curvdecim {
+namespace curvdecim::detail {
+
 namespace {
 
 struct Sum {
@@ -50,4 +51,4 @@ TEST(CellSums, OfManyCellsTakeOneBlock) {
 }
 
 }  // namespace
-}  // namespace curvdecim
+}  // namespace curvdecim::detail

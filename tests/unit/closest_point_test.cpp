@@ -8,6 +8,9 @@
 #include <random>
 
 namespace curvdecim::test {
+
+using namespace detail;
+
 namespace {
 
 const Triangle unit{Vector3(0, 0, 0), Vector3(1, 0, 0), Vector3(0, 1, 0)};

@@ -9,6 +9,9 @@
 #include "support/drawn_meshes.h"
 
 namespace curvdecim::test {
+
+using namespace detail;
+
 namespace {
 
 std::vector<int> origins(const CellFaceSet& set) {

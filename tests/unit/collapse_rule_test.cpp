@@ -3,7 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include "support/plans.h"
+
 namespace curvdecim::test {
+
+using namespace detail;
+
 namespace {
 
 using Answer = std::optional<Allowed>;
@@ -16,7 +21,7 @@ Answer answer(K a, K b, const DecimationParams& params = {}, bool lock_a = false
   WorkingMesh mesh;
   mesh.kind = {a, b};
   mesh.locked = {lock_a, lock_b};
-  return CollapseRule(mesh, params)({0, 1});
+  return CollapseRule(mesh, limits_of(params))({0, 1});
 }
 
 TEST(CollapseRule, IsTheTableInTheHeader) {

@@ -4,13 +4,17 @@
 #include <cmath>
 
 #include "support/mesh_group.h"
+#include "support/plans.h"
 #include "support/working_mesh.h"
-#include "vcg_ext/connectivity/edge_neighborhood.h"
 #include "vcg_ext/curvature/current_curvature.h"
 #include "vcg_ext/guard/link_condition.h"
+#include "vcg_ext/mesh/edge_neighborhood.h"
 #include "vcg_ext/metric/curvature_weighted_metric.h"
 
 namespace curvdecim::test {
+
+using namespace detail;
+
 namespace {
 
 bool may_collapse(const WorkingMesh& mesh, Edge edge) {
@@ -32,7 +36,7 @@ void collapse_some(WorkingMesh& mesh, CurrentCurvature& current) {
     collapse_edge(
         mesh, edge, x,
         [&](const EdgeNeighborhood& around, const auto&) { current.release(around); },
-        [&](const Collapse& done, const EdgeNeighborhood& around) {
+        [&](const VertexMerge& done, const EdgeNeighborhood& around) {
           current.merge(done.keep, around);
         });
   }
@@ -93,8 +97,8 @@ template <class Saturation>
 void expect_factors_after_a_collapse(CurvatureOf of, Saturation saturation) {
   const EdgeCollapseParams params = params_with(of);
   WorkingMesh mesh = working_mesh(saddle(6));
-  CurvatureWeightedMetric weighted(mesh, params, 1.0);
-  QuadricMetric plain(mesh, params);
+  CurvatureWeightedMetric weighted = weighted_metric(mesh, params);
+  QuadricMetric plain = quadric_metric(mesh, params);
   weighted.initialize(Parallel(1)), plain.initialize(Parallel(1));
   const Vector3 x = mesh.position[25] + Vector3(0, 0, 0.05);
   collapse_edge(
@@ -102,7 +106,7 @@ void expect_factors_after_a_collapse(CurvatureOf of, Saturation saturation) {
       [&](const EdgeNeighborhood& around, const std::vector<FacePlane>& after) {
         weighted.release(around, after), plain.release(around, after);
       },
-      [&](const Collapse& done, const EdgeNeighborhood& around) {
+      [&](const VertexMerge& done, const EdgeNeighborhood& around) {
         weighted.merge(done, around), plain.merge(done, around);
       });
   for (int v : {17, 23, 24, 31, 33})

@@ -7,6 +7,9 @@
 #include "support/working_mesh.h"
 
 namespace curvdecim::test {
+
+using namespace detail;
+
 namespace {
 
 CurvatureField field_with(const WorkingMesh& mesh, double value) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "vcg_ext/queue/edge_choices.h"
+#include "vcg_ext/collapse/edge_queue.h"
 
 #include <gtest/gtest.h>
 
@@ -7,6 +7,9 @@
 #include <cmath>
 
 namespace curvdecim::test {
+
+using namespace detail;
+
 namespace {
 
 constexpr float smallest_float = 1.4e-45f;  // not 0, with one bit
@@ -86,7 +89,7 @@ TEST(EdgeChoices, KeepWhatWasSetLast) {
   EXPECT_EQ(choices.of(0).partner, 2);
   EXPECT_TRUE(choices.priority(0) == Priority(2.0, 0.5));
   EXPECT_FALSE(choices.exists(1));
-  choices.set(0, {{3.0, 0.5}, 3});  // dearer, and yet
+  choices.set(0, {{3.0, 0.5}, 3});  // costlier, and yet
   EXPECT_EQ(choices.of(0).partner, 3);
   choices.set(0, {});
   EXPECT_FALSE(choices.exists(0));

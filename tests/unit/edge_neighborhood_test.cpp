@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "vcg_ext/connectivity/edge_neighborhood.h"
+#include "vcg_ext/mesh/edge_neighborhood.h"
 
 #include <gtest/gtest.h>
 
@@ -9,6 +9,9 @@
 #include "support/working_mesh.h"
 
 namespace curvdecim::test {
+
+using namespace detail;
+
 namespace {
 
 EdgeNeighborhood gathered(const Shape& shape, Edge edge) {

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "vcg_ext/queue/edge_queue.h"
+#include "vcg_ext/collapse/edge_queue.h"
 
 #include <gtest/gtest.h>
 
 namespace curvdecim::test {
+
+using namespace detail;
+
 namespace {
 
 TEST(EdgeQueue, GivesTheCheapestEdgeOfAllVertices) {

@@ -8,6 +8,9 @@
 #include "support/working_mesh.h"
 
 namespace curvdecim::test {
+
+using namespace detail;
+
 namespace {
 
 constexpr double limit = 0.1;

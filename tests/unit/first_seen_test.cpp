@@ -4,7 +4,8 @@
 #include <gtest/gtest.h>
 #include <malloc.h>
 
-namespace curvdecim {
+namespace curvdecim::detail {
+
 namespace {
 
 /// Bytes that this process has allocated and not freed.
@@ -64,4 +65,4 @@ TEST(Pieces, CoverAllOnceAndInOrder) {
 }
 
 }  // namespace
-}  // namespace curvdecim
+}  // namespace curvdecim::detail

@@ -5,11 +5,13 @@
 
 #include "support/drawn_meshes.h"
 #include "support/working_mesh.h"
-#include "vcg_ext/guard/normal_flip.h"
-#include "vcg_ext/guard/triangle_after.h"
-#include "vcg_ext/guard/triangle_shape.h"
+#include "vcg_ext/guard/limits.h"
+#include "vcg_ext/mesh/working_mesh.h"
 
 namespace curvdecim::test {
+
+using namespace detail;
+
 namespace {
 
 Vector3 tilted(double degrees) {

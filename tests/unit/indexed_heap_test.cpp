@@ -11,6 +11,9 @@
 #include <utility>
 
 namespace curvdecim::test {
+
+using namespace detail;
+
 namespace {
 
 using Heap = IndexedHeap<double>;

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "vcg_ext/geometry/least_in_box.h"
+#include "vcg_ext/clustering/least_in_box.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-namespace curvdecim {
+namespace curvdecim::detail {
+
 namespace {
 
 const Vector3 low(-1, -1, -1), high(1, 1, 1);
@@ -73,4 +74,4 @@ TEST(PartInside, IsTheWholeWayOrUpToTheSide) {
 }
 
 }  // namespace
-}  // namespace curvdecim
+}  // namespace curvdecim::detail

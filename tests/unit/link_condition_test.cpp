@@ -9,6 +9,9 @@
 #include "support/working_mesh.h"
 
 namespace curvdecim::test {
+
+using namespace detail;
+
 namespace {
 
 bool satisfied(const Shape& shape, Edge edge) {

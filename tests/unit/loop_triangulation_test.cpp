@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "vcg_ext/operators/loop_triangulation.h"
+#include "vcg_ext/removal/loop_triangulation.h"
 
 #include <gtest/gtest.h>
 
@@ -11,6 +11,9 @@
 #include "support/working_mesh.h"
 
 namespace curvdecim::test {
+
+using namespace detail;
+
 namespace {
 
 using Outcome = LoopTriangulation::Outcome;

@@ -12,6 +12,9 @@
 #include "support/drawn_meshes.h"
 
 namespace curvdecim::test {
+
+using namespace detail;
+
 namespace {
 
 std::vector<CellFace> cell_faces(const std::vector<Face>& faces) {

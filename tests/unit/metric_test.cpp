@@ -5,10 +5,13 @@
 #include <cmath>
 
 #include "support/drawn_meshes.h"
+#include "support/plans.h"
 #include "support/working_mesh.h"
-#include "vcg_ext/dispatch.h"
 
 namespace curvdecim::test {
+
+using namespace detail;
+
 namespace {
 
 EdgeCollapseParams custom(Quadrics quadrics = Quadrics::Accumulated,
@@ -54,7 +57,7 @@ TEST(PlaneQuadrics, AreWeightedByAreaOrNot) {
 std::vector<Symmetric3> constraints(const Shape& shape, const DecimationParams& params) {
   const WorkingMesh mesh = working_mesh(shape);
   std::vector<Symmetric3> sums(mesh.position.size());
-  ConstraintQuadrics(mesh, params, PlaneWeight::Area)
+  ConstraintQuadrics(mesh, quadric_plan(params, QuadricParams(), true))
       .build(Parallel(1), [&](int v, const Symmetric3& plane) { sums[v] += plane; });
   return sums;
 }
@@ -109,21 +112,21 @@ TEST_P(QuadricMetricWith, CostsNothingInAPlane) {
   const WorkingMesh mesh = working_mesh(plane_grid(4));
   for (Placement placement :
        {Placement::Optimal, Placement::Line, Placement::EndpointOrMidpoint, Placement::HalfEdge})
-    EXPECT_NEAR(evaluated(QuadricMetric(mesh, custom(GetParam(), placement)), {12, 17}).cost, 0.0,
+    EXPECT_NEAR(evaluated(quadric_metric(mesh, custom(GetParam(), placement)), {12, 17}).cost, 0.0,
                 1e-30);
 }
 
 TEST_P(QuadricMetricWith, CostsNothingAlongARidgeAndSomethingAcross) {
   const WorkingMesh mesh = working_mesh(ridge());
   const EdgeCollapseParams params = custom(GetParam());
-  EXPECT_NEAR(evaluated(QuadricMetric(mesh, params), {11, 12}).cost, 0.0, 1e-30);
-  EXPECT_GT(evaluated(QuadricMetric(mesh, params), {7, 12}, Allowed::OntoA).cost, 1e-4);
+  EXPECT_NEAR(evaluated(quadric_metric(mesh, params), {11, 12}).cost, 0.0, 1e-30);
+  EXPECT_GT(evaluated(quadric_metric(mesh, params), {7, 12}, Allowed::OntoA).cost, 1e-4);
 }
 
 TEST_P(QuadricMetricWith, KeepsAnEndToTheBit) {
   const WorkingMesh mesh = working_mesh(rotated(ridge(), 1.0, {1, 2, 3}));
   const EdgeCollapseParams params = custom(GetParam());
-  const QuadricMetric metric(mesh, params);
+  const QuadricMetric metric = quadric_metric(mesh, params);
   EXPECT_EQ(evaluated(metric, {7, 12}, Allowed::OntoA).position, mesh.position[7]);
   EXPECT_EQ(evaluated(metric, {7, 12}, Allowed::OntoA).t, 0.0);
   EXPECT_EQ(evaluated(metric, {7, 12}, Allowed::OntoB).position, mesh.position[12]);
@@ -144,7 +147,7 @@ TEST(QuadricMetric, AccumulatedIsTheSumOfSquaredDistancesToThePlanes) {
       const double d = mesh.plane[f].normal.dot(mesh.position[b] - mesh.position[v]);
       expected += d * d;
     }
-  EXPECT_NEAR(evaluated(QuadricMetric(mesh, params), {std::min(a, b), std::max(a, b)},
+  EXPECT_NEAR(evaluated(quadric_metric(mesh, params), {std::min(a, b), std::max(a, b)},
                         a < b ? Allowed::OntoB : Allowed::OntoA)
                   .cost,
               expected, 1e-12);
@@ -153,7 +156,7 @@ TEST(QuadricMetric, AccumulatedIsTheSumOfSquaredDistancesToThePlanes) {
 // --- curvature weighted --------------------------------------------------------------------------
 
 double weighted_cost(const WorkingMesh& mesh, EdgeCollapseParams params, Edge edge) {
-  return evaluated(CurvatureWeightedMetric(mesh, params, 1.0), edge, Allowed::OntoA).cost;
+  return evaluated(weighted_metric(mesh, params), edge, Allowed::OntoA).cost;
 }
 
 TEST(CurvatureWeightedMetric, IsTheQuadricTimesTheFactorOfBothEnds) {
@@ -163,7 +166,7 @@ TEST(CurvatureWeightedMetric, IsTheQuadricTimesTheFactorOfBothEnds) {
   params.alpha = 0.1, params.curvature_of = CurvatureOf::Current;
   const double k =
       std::abs(vertex_curvature(mesh, 24).gaussian) + std::abs(vertex_curvature(mesh, 25).gaussian);
-  const double plain = evaluated(QuadricMetric(mesh, params), {24, 25}, Allowed::OntoA).cost;
+  const double plain = evaluated(quadric_metric(mesh, params), {24, 25}, Allowed::OntoA).cost;
   EXPECT_NEAR(weighted_cost(mesh, params, {24, 25}), plain * (1.0 - std::exp(-0.1 * k)),
               1e-6 * plain);  // saturations are floats
 }
@@ -174,7 +177,7 @@ TEST(CurvatureWeightedMetric, WithInfiniteAlphaIsTheQuadric) {
   for (double alpha : {0.0, -1.0}) {
     params.alpha = alpha;
     EXPECT_EQ(weighted_cost(mesh, params, {24, 25}),
-              evaluated(QuadricMetric(mesh, params), {24, 25}, Allowed::OntoA).cost);
+              evaluated(quadric_metric(mesh, params), {24, 25}, Allowed::OntoA).cost);
   }
 }
 
@@ -188,7 +191,7 @@ void collapse(WorkingMesh& mesh, Edge edge, const Vector3& x, Metrics&... metric
       [&](const EdgeNeighborhood& around, const std::vector<FacePlane>& after) {
         (metrics.release(around, after), ...);
       },
-      [&](const Collapse& done, const EdgeNeighborhood& around) {
+      [&](const VertexMerge& done, const EdgeNeighborhood& around) {
         (metrics.merge(done, around), ...);
       });
 }
@@ -209,8 +212,8 @@ TEST(CurvatureWeightedMetric, SeesTheCurvatureOfTheCurrentMesh) {
   EdgeCollapseParams params = custom(Quadrics::Memoryless);
   params.alpha_units = AlphaUnits::ModelUnits, params.alpha = 0.1, params.feature_angle = 180.0;
   params.curvature_of = CurvatureOf::Current;
-  CurvatureWeightedMetric weighted(mesh, params, 1.0);
-  QuadricMetric plain(mesh, params);
+  CurvatureWeightedMetric weighted = weighted_metric(mesh, params);
+  QuadricMetric plain = quadric_metric(mesh, params);
   weighted.initialize(Parallel(1)), plain.initialize(Parallel(1));
   const auto absolute = [&](int v) { return vertex_curvature(mesh, v).absolute(); };
   for (Edge edge : {Edge{16, 24}, Edge{16, 17}, Edge{40, 41}})
@@ -228,7 +231,7 @@ TEST(QuadricMetric, MemorylessIsOfTheCurrentMeshAndATenthOfTheInput) {
   WorkingMesh mesh = input;
   EdgeCollapseParams params = custom(Quadrics::Memoryless);
   params.feature_angle = 180.0;
-  QuadricMetric metric(mesh, params);
+  QuadricMetric metric = quadric_metric(mesh, params);
   metric.initialize(Parallel(1));
   for (Edge edge : {Edge{16, 24}, Edge{16, 17}})
     collapse(mesh, edge, mesh.position[edge.b] + Vector3(0.01, 0.02, 0.05), metric);
@@ -257,7 +260,7 @@ TEST(QuadricMetric, MemorylessCountsTheFacesAroundAMergedPairAnew) {
   WorkingMesh mesh = input;
   EdgeCollapseParams params = custom(Quadrics::Memoryless);
   params.feature_angle = 180.0, params.preserve_topology = false;
-  QuadricMetric metric(mesh, params);
+  QuadricMetric metric = quadric_metric(mesh, params);
   metric.initialize(Parallel(1));
   const Edge pair{16, 50};
   ASSERT_FALSE(mesh.connectivity.has_edge(pair.a, pair.b));
@@ -306,7 +309,7 @@ TEST(CurvatureWeightedMetric, ScaleFreeGivesARootOfTheFactorToThePlanesAndOneToT
   WorkingMesh mesh = input;
   EdgeCollapseParams params = custom(Quadrics::Memoryless);
   params.feature_angle = 180.0, params.curvature_floor = 0.1;
-  CurvatureWeightedMetric metric(mesh, params, 1.0);
+  CurvatureWeightedMetric metric = weighted_metric(mesh, params);
   metric.initialize(Parallel(1));
   for (Edge edge : {Edge{16, 24}, Edge{16, 17}})
     collapse(mesh, edge, mesh.position[edge.b] + Vector3(0.01, 0.02, 0.05), metric);
@@ -330,8 +333,8 @@ double additive_term(const Shape& shape, CurvatureTerm term, Edge edge,
   const WorkingMesh mesh = working_mesh(shape);
   EdgeCollapseParams params = custom();
   params.curvature_term = term, params.lambda = 2.0, params.plane_weight = weight;
-  const double with = evaluated(CurvatureAdditiveMetric(mesh, params), edge).cost;
-  return (with - evaluated(QuadricMetric(mesh, params), edge).cost) / params.lambda;
+  const double with = evaluated(additive_metric(mesh, params), edge).cost;
+  return (with - evaluated(quadric_metric(mesh, params), edge).cost) / params.lambda;
 }
 
 TEST(CurvatureAdditiveMetric, AddsNothingInAPlaneAsMelax) {
@@ -386,11 +389,11 @@ TEST(Estimate, IsTheCostWhereTheVolumePlaysNoPart) {
     for (const Shape& shape : {torus(12, 8), saddle(6), cube()}) {
       const WorkingMesh mesh = working_mesh(shape);
       const EdgeCollapseParams params = custom(Quadrics::Accumulated, placement);
-      for (double r : estimates_over_costs(mesh, QuadricMetric(mesh, params)))
+      for (double r : estimates_over_costs(mesh, quadric_metric(mesh, params)))
         EXPECT_NEAR(r, 1.0, 1e-9);
-      for (double r : estimates_over_costs(mesh, CurvatureWeightedMetric(mesh, params, 1.0)))
+      for (double r : estimates_over_costs(mesh, weighted_metric(mesh, params)))
         EXPECT_NEAR(r, 1.0, 1e-9);
-      for (double r : estimates_over_costs(mesh, CurvatureAdditiveMetric(mesh, params)))
+      for (double r : estimates_over_costs(mesh, additive_metric(mesh, params)))
         EXPECT_NEAR(r, 1.0, 1e-9);
     }
 }
@@ -399,7 +402,7 @@ TEST(Estimate, IsNotAboveTheCostWhereTheVolumeIsKept) {
   const WorkingMesh mesh = working_mesh(noisy_sphere(2, 0.02));
   double least = 1.0;
   for (double r : estimates_over_costs(
-           mesh, QuadricMetric(mesh, custom(Quadrics::Memoryless, Placement::Optimal)))) {
+           mesh, quadric_metric(mesh, custom(Quadrics::Memoryless, Placement::Optimal)))) {
     EXPECT_LE(r, 1.0 + 1e-9);
     least = std::min(least, r);
   }

@@ -7,6 +7,9 @@
 #include <vector>
 
 namespace curvdecim::test {
+
+using namespace detail;
+
 namespace {
 
 TEST(Morton, SpreadsEveryBitToEveryThirdPlace) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "vcg_ext/parallel.h"
+#include "vcg_ext/parallel/parallel.h"
 
 #include <gtest/gtest.h>
 
@@ -10,6 +10,9 @@
 #include <thread>
 
 namespace curvdecim::test {
+
+using namespace detail;
+
 namespace {
 
 class ParallelWith : public testing::TestWithParam<int> {};

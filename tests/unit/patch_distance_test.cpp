@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "vcg_ext/geometry/patch_distance.h"
+#include "vcg_ext/guard/patch_distance.h"
 
 #include <gtest/gtest.h>
 
@@ -9,6 +9,9 @@
 #include "support/properties.h"
 
 namespace curvdecim::test {
+
+using namespace detail;
+
 namespace {
 
 using Patch = PatchDistance::Patch;

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "vcg_ext/placement/place.h"
+#include "vcg_ext/metric/placement.h"
 
 #include <gtest/gtest.h>
 
 namespace curvdecim::test {
+
+using namespace detail;
+
 namespace {
 
 // An edge along x from -1 to 1 about its midpoint.

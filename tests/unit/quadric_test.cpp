@@ -7,6 +7,9 @@
 #include <random>
 
 namespace curvdecim::test {
+
+using namespace detail;
+
 namespace {
 
 class Random {

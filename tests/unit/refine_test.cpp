@@ -10,25 +10,22 @@
 #include "vcg_ext/refine/refinement.h"
 
 namespace curvdecim::test {
+
+using namespace detail;
+
 namespace {
 
 const Parallel one_thread(1);
 
-EdgeCollapseParams plain_quadrics() {
-  EdgeCollapseParams params;
-  params.metric = Metric::Quadric;
-  return params;
-}
-
 InputSurface surface_of(const Shape& shape) {
-  return input_surface(working_mesh(shape), plain_quadrics(), 1.0, one_thread);
+  return InputSurface(copy_input(working_mesh(shape), QuadricPlan(), one_thread));
 }
 
 WorkingMesh refined(const Shape& input, const Shape& mesh, int sweeps) {
   WorkingMesh result = working_mesh(mesh);
   const InputSurface surface = surface_of(input);
   ProgressMeter progress({});
-  Refinement(result, surface, plain_quadrics(), nullptr, one_thread).run(sweeps, progress);
+  Refinement(result, surface, CollapsePlan(), nullptr, one_thread).run(sweeps, progress);
   return result;
 }
 
@@ -44,7 +41,9 @@ TEST(FacePlaces, ArePartsOfOneSizeAfterTheCorners) {
   EXPECT_EQ(places.first_of_parts(1), 3);
   for (int cuts : {1, 2, 3, 8}) {
     const int first = places.first_of_parts(cuts), count = cuts * cuts;
-    if (cuts < 8) EXPECT_EQ(places.first_of_parts(cuts + 1), first + count);
+    if (cuts < 8) {
+      EXPECT_EQ(places.first_of_parts(cuts + 1), first + count);
+    }
     Barycentric sum{};
     for (int place = first; place < first + count; ++place)
       for (int i = 0; i < 3; ++i) {
@@ -75,7 +74,7 @@ TEST(InputSamples, WeighAsMuchAsTheSurfaceAndLieOnTheFaceThatTheyMatch) {
 
 TEST(InputSurface, WeighsCurvedPlacesMoreAndOneInTheMean) {
   const WorkingMesh mesh = working_mesh(in_box(capped_cylinder(24, 12)));
-  const InputSurface input = input_surface(mesh, EdgeCollapseParams(), 1.0, one_thread);
+  const InputSurface input(copy_input(mesh, CurvatureWeightedPlan(), one_thread));
   double sum = 0.0;
   for (int f = 0; f < input.face_count(); ++f) sum += input.weight[f] * input.area(f);
   EXPECT_NEAR(sum, total_area(input), 1e-6 * sum);
@@ -99,7 +98,7 @@ TEST(VertexFit, MovesNoLockedVertex) {
   result.locked[3] = 1;
   const InputSurface surface = surface_of(input);
   ProgressMeter progress({});
-  Refinement(result, surface, plain_quadrics(), nullptr, one_thread).run(2, progress);
+  Refinement(result, surface, CollapsePlan(), nullptr, one_thread).run(2, progress);
   EXPECT_EQ(result.position[3], mesh.vertices[3]);
   EXPECT_NE(result.position[4], mesh.vertices[4]);
 }
@@ -139,9 +138,10 @@ TEST(EdgeFlips, LowerTheErrorOfAMeshWithWrongDiagonals) {
   MeshSamples of_mesh(surface, input_tree, area, faces);
   const std::vector<int> near(faces, SurfacePoint::none);
   of_mesh.match(mesh, near, one_thread);
-  const MoveGuard guard(mesh, surface, input_tree, plain_quadrics());
+  const MoveGuard guard(mesh, surface, input_tree, FaceLimits());
   const double before = error(mesh, surface);
   EXPECT_GT(EdgeFlips(mesh, of_input, of_mesh, guard, nullptr).run(near, one_thread), 0);
+  EXPECT_NO_THROW(mesh.connectivity.validate());
   EXPECT_LT(error(mesh, surface), before);
 }
 
@@ -152,7 +152,7 @@ TEST(MoveGuard, LetsNoFaceFoldOver) {
   const WorkingMesh mesh = working_mesh(shape);
   const InputSurface input = surface_of(shape);
   const TriangleTree tree(input, input.face_count(), one_thread);
-  const MoveGuard guard(mesh, input, tree, plain_quadrics());
+  const MoveGuard guard(mesh, input, tree, FaceLimits());
   const std::vector<int> near(mesh.plane.size(), SurfacePoint::none);
   for (const Vector3& pull : {Vector3(0.2, 0.0, 0.0), Vector3(0.0, -0.3, 0.1)}) {
     std::vector<Vector3> steps(mesh.position.size(), Vector3::Zero());
@@ -165,7 +165,7 @@ TEST(MoveGuard, LetsNoFaceFoldOver) {
 }
 
 /// The centre of a flat grid, 0.125 from its neighbours, lifted as far as the guard lets it go.
-double lifted(double by, const DecimationParams& params) {
+double lifted(double by, const FaceLimits& limits) {
   const Shape shape = translated(scaled(plane_grid(4), 0.5), {-0.25, -0.25, 0.0});
   const WorkingMesh mesh = working_mesh(shape);
   const InputSurface input = surface_of(shape);
@@ -173,21 +173,21 @@ double lifted(double by, const DecimationParams& params) {
   std::vector<Vector3> steps(mesh.position.size(), Vector3::Zero());
   steps[12].z() = by;
   const std::vector<int> near(mesh.plane.size(), SurfacePoint::none);
-  return MoveGuard(mesh, input, tree, params).moved(steps, near, one_thread)[12].z();
+  return MoveGuard(mesh, input, tree, limits).moved(steps, near, one_thread)[12].z();
 }
 
 TEST(MoveGuard, HalvesAStepThatTurnsAFaceByMoreThanSixtyDegrees) {
-  EXPECT_EQ(lifted(0.1, plain_quadrics()), 0.1);
-  EXPECT_EQ(lifted(0.3, plain_quadrics()), 0.15);
+  EXPECT_EQ(lifted(0.1, FaceLimits()), 0.1);
+  EXPECT_EQ(lifted(0.3, FaceLimits()), 0.15);
 }
 
 TEST(MoveGuard, TakesBackAStepThatTurnsAFaceByMoreThanTheNormalAngleFromTheInput) {
-  EdgeCollapseParams params = plain_quadrics();
-  params.normal_angle = 30.0;
-  EXPECT_EQ(lifted(0.1, params), 0.0);
-  EXPECT_EQ(lifted(0.02, params), 0.02);
-  params.preserve_normal = false;
-  EXPECT_EQ(lifted(0.1, params), 0.1);
+  FaceLimits limits;
+  limits.normal_angle = 30.0;
+  EXPECT_EQ(lifted(0.1, limits), 0.0);
+  EXPECT_EQ(lifted(0.02, limits), 0.02);
+  limits.keeps_normal = false;
+  EXPECT_EQ(lifted(0.1, limits), 0.1);
 }
 
 TEST(MoveGuard, LetsAllOthersGo) {
@@ -198,7 +198,7 @@ TEST(MoveGuard, LetsAllOthersGo) {
   const std::vector<int> near(mesh.plane.size(), SurfacePoint::none);
   const std::vector<Vector3> steps(mesh.position.size(), Vector3(0.01, 0.0, 0.0));
   const std::vector<Vector3> now =
-      MoveGuard(mesh, input, tree, plain_quadrics()).moved(steps, near, one_thread);
+      MoveGuard(mesh, input, tree, FaceLimits()).moved(steps, near, one_thread);
   for (std::size_t v = 0; v < now.size(); ++v) EXPECT_EQ(now[v], mesh.position[v] + steps[v]);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "vcg_ext/connectivity/renumbering.h"
+#include "vcg_ext/mesh/renumbering.h"
 
 #include <gtest/gtest.h>
 
@@ -8,6 +8,9 @@
 #include "support/working_mesh.h"
 
 namespace curvdecim::test {
+
+using namespace detail;
+
 namespace {
 
 /// An octahedron of which 2 was collapsed into 0.

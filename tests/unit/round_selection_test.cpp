@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "vcg_ext/queue/round_selection.h"
+#include "vcg_ext/collapse/round_selection.h"
 
 #include <gtest/gtest.h>
 
@@ -12,6 +12,9 @@
 #include "vcg_ext/guard/link_condition.h"
 
 namespace curvdecim::test {
+
+using namespace detail;
+
 namespace {
 
 /// The shortest edge of every vertex that lives.

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "vcg_ext/geometry/sphere_energy.h"
+#include "vcg_ext/metric/sphere_ring.h"
 
 #include <gtest/gtest.h>
 
-#include "vcg_ext/metric/sphere_ring.h"
 
 namespace curvdecim::test {
+
+using namespace detail;
+
 namespace {
 
 const AlgebraicSphere sphere{0.3, {0.2, -0.9, 0.4}, 0.35};

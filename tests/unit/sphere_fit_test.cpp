@@ -8,6 +8,9 @@
 #include <vector>
 
 namespace curvdecim::test {
+
+using namespace detail;
+
 namespace {
 
 struct Sample {

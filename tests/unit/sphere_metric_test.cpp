@@ -5,12 +5,16 @@
 #include <cmath>
 
 #include "support/drawn_meshes.h"
+#include "support/plans.h"
 #include "support/working_mesh.h"
 #include "vcg_ext/mesh/vertex_ring.h"
 #include "vcg_ext/metric/anchored_sphere_metric.h"
 #include "vcg_ext/metric/interpolated_sphere_metric.h"
 
 namespace curvdecim::test {
+
+using namespace detail;
+
 namespace {
 
 SphereParams with(SphereEnergy energy, SpherePlacement placement) {
@@ -19,11 +23,15 @@ SphereParams with(SphereEnergy energy, SpherePlacement placement) {
   return params;
 }
 
+SpherePlan plan_of(const SphereParams& params) {
+  return {quadric_plan(params, QuadricParams(), true), params, params.energy};
+}
+
 /// Evaluates one edge of a mesh by a new metric.
 template <class MetricType>
 Candidate evaluated(const WorkingMesh& mesh, const SphereParams& params, Edge edge,
                     Allowed allowed = Allowed::Anywhere) {
-  MetricType metric(mesh, params);
+  MetricType metric(mesh, plan_of(params));
   metric.initialize(Parallel(1));
   return metric.evaluate(edge, allowed, wings_of(mesh, edge)).value();
 }
@@ -63,7 +71,8 @@ TEST_P(Energies, InterpolatedStaysOnASphere) {
 TEST_P(Energies, InterpolatedFindsTheLeastAlongTheEdge) {
   const WorkingMesh mesh = working_mesh(bumpy_sphere(3));
   const SphereParams params = with(GetParam(), SpherePlacement::OnSphereAlongEdge);
-  const std::vector<AlgebraicSphere> spheres = VertexSpheres(mesh, params, Parallel(1)).fit();
+  const std::vector<AlgebraicSphere> spheres =
+      VertexSpheres(mesh, params, params.feature_angle, Parallel(1)).fit();
   for (int v : {5, 77, 300, 500}) {
     const Edge edge = first_edge_of(mesh, v);
     const Candidate found = evaluated<InterpolatedSphereMetric>(mesh, params, edge);
@@ -129,8 +138,8 @@ TEST(AnchoredSphereMetric, LeavesSharpEdgesToThePlanes) {
   const WorkingMesh mesh = working_mesh(box);
   const SphereParams params = with(SphereEnergy::Squared, SpherePlacement::Free3D);
   const Parallel parallel(1);
-  const VertexSpheres fits(mesh, params, parallel);
-  QuadricMetric planes(mesh, params, QuadricParams());
+  const VertexSpheres fits(mesh, params, params.feature_angle, parallel);
+  QuadricMetric planes(mesh, plan_of(params).quadrics);
   planes.initialize(parallel);
   int sharp = 0;
   for (int v = 0; v < mesh.connectivity.vertex_slots(); ++v) {
@@ -150,7 +159,7 @@ TEST(AnchoredSphereMetric, LeavesSharpEdgesToThePlanes) {
 TEST(InterpolatedSphereMetric, KeepsTheSphereOfWhatIsMerged) {
   WorkingMesh mesh = working_mesh(icosphere(4));
   const SphereParams params = with(SphereEnergy::Squared, SpherePlacement::OnSphereAlongEdge);
-  InterpolatedSphereMetric metric(mesh, params);
+  InterpolatedSphereMetric metric(mesh, plan_of(params));
   metric.initialize(Parallel(1));
   int v = 1000;
   for (int i = 0; i < 5; ++i) {
@@ -162,7 +171,9 @@ TEST(InterpolatedSphereMetric, KeepsTheSphereOfWhatIsMerged) {
         [&](const EdgeNeighborhood& around, const std::vector<FacePlane>& after) {
           metric.release(around, after);
         },
-        [&](const Collapse& done, const EdgeNeighborhood& around) { metric.merge(done, around); });
+        [&](const VertexMerge& done, const EdgeNeighborhood& around) {
+          metric.merge(done, around);
+        });
     v = edge.a;
   }
 }

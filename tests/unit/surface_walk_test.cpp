@@ -7,6 +7,9 @@
 #include "support/working_mesh.h"
 
 namespace curvdecim::test {
+
+using namespace detail;
+
 namespace {
 
 TEST(SurfaceWalk, EndsAtTheNearestPointOfARoundSurface) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "vcg_ext/thread_team.h"
+#include "vcg_ext/parallel/thread_team.h"
 
 #include <gtest/gtest.h>
 
@@ -8,6 +8,9 @@
 #include <stdexcept>
 
 namespace curvdecim::test {
+
+using namespace detail;
+
 namespace {
 
 class ThreadTeamOf : public testing::TestWithParam<int> {};

@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "vcg_ext/connectivity/triangle_connectivity.h"
+#include "vcg_ext/mesh/triangle_connectivity.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <set>
+#include <stdexcept>
+#include <string>
 
 #include "support/drawn_meshes.h"
 #include "support/working_mesh.h"
 
 namespace curvdecim::test {
+
+using namespace detail;
+
 namespace {
 
 std::set<int> faces_of(const TriangleConnectivity& connectivity, int v) {
@@ -17,22 +22,31 @@ std::set<int> faces_of(const TriangleConnectivity& connectivity, int v) {
   return {range.begin(), range.end()};
 }
 
-/// The lists say the same as the faces.
 void expect_consistent(const TriangleConnectivity& connectivity) {
-  int faces = 0, used = 0;
-  for (int f = 0; f < connectivity.face_slots(); ++f) {
-    if (!connectivity.alive(f)) continue;
-    ++faces;
-    for (int v : connectivity.face(f)) EXPECT_EQ(faces_of(connectivity, v).count(f), 1u);
+  EXPECT_NO_THROW(connectivity.validate());
+}
+
+/// What validate() complains of; empty: nothing.
+std::string flaw_of(const TriangleConnectivity& connectivity) {
+  try {
+    connectivity.validate();
+    return "";
+  } catch (const std::logic_error& error) {
+    return error.what();
   }
-  for (int v = 0; v < connectivity.vertex_slots(); ++v) {
-    const auto range = connectivity.faces_of(v);
-    used += range.size() > 0;
-    for (int f : range) EXPECT_TRUE(connectivity.alive(f) && connectivity.face_has(f, v));
-    EXPECT_EQ(faces_of(connectivity, v).size(), static_cast<std::size_t>(range.size()));
-  }
-  EXPECT_EQ(connectivity.face_count(), faces);
-  EXPECT_EQ(connectivity.vertex_count(), used);
+}
+
+TEST(TriangleConnectivity, KnowsItsFlaws) {
+  TriangleConnectivity ball = connectivity_of(octahedron());
+  EXPECT_EQ(flaw_of(ball), "");
+  const Removed removed = ball.collapse(0, 2);
+  EXPECT_NE(flaw_of(ball).find("faces are miscounted"), std::string::npos);
+  ball.count({removed.faces, 0});
+  EXPECT_NE(flaw_of(ball).find("vertices are miscounted"), std::string::npos);
+  ball.count({0, removed.vertices});
+  EXPECT_EQ(flaw_of(ball), "");
+  const TriangleConnectivity folded({{0, 0, 1}}, 2);
+  EXPECT_NE(flaw_of(folded).find("a vertex twice"), std::string::npos);
 }
 
 TEST(TriangleConnectivity, ListsTheFacesAroundAVertex) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "vcg_ext/geometry/triangle_tree.h"
+#include "vcg_ext/refine/triangle_tree.h"
 
 #include <gtest/gtest.h>
 
@@ -10,6 +10,9 @@
 #include "support/working_mesh.h"
 
 namespace curvdecim::test {
+
+using namespace detail;
+
 namespace {
 
 constexpr double no_limit = 1e300;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "vcg_ext/connectivity/vertex_class.h"
+#include "vcg_ext/removal/vertex_fan.h"
 
 #include <gtest/gtest.h>
 
@@ -9,6 +9,9 @@
 #include "support/removal.h"
 
 namespace curvdecim::test {
+
+using namespace detail;
+
 namespace {
 
 /// Two flat halves of `cells` squares that meet in a ridge along y, at this angle between their
@@ -79,7 +82,7 @@ TEST(VertexClass, CornerWhereARidgeEnds) {
   int corners = 0;
   VertexFan around;
   for (int v = 0; v < cut.vertex_count(); ++v)
-    corners += removal.remover.class_at(v, around) == VertexClass::Corner;
+    corners += removal.removals.class_at(v, around) == VertexClass::Corner;
   EXPECT_GE(corners, 2);
 }
 

@@ -12,6 +12,9 @@
 #include "vcg_ext/curvature/curvature_weight.h"
 
 namespace curvdecim::test {
+
+using namespace detail;
+
 namespace {
 
 std::vector<VertexCurvature> curvatures(const Shape& shape) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "vcg_ext/connectivity/vertex_fan.h"
+#include "vcg_ext/removal/vertex_fan.h"
 
 #include <gtest/gtest.h>
 
@@ -10,6 +10,9 @@
 #include "support/working_mesh.h"
 
 namespace curvdecim::test {
+
+using namespace detail;
+
 namespace {
 
 /// Face i holds the neighbours i and i + 1, in its own direction.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "vcg_ext/connectivity/vertex_kind.h"
+#include "vcg_ext/mesh/vertex_kind.h"
 
 #include <gtest/gtest.h>
 
@@ -9,6 +9,9 @@
 #include "support/working_mesh.h"
 
 namespace curvdecim::test {
+
+using namespace detail;
+
 namespace {
 
 std::vector<VertexKind> kinds(const Shape& shape) {

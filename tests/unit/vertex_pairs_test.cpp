@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "vcg_ext/queue/vertex_pairs.h"
+#include "vcg_ext/collapse/vertex_pairs.h"
 
 #include <gtest/gtest.h>
 
@@ -9,12 +9,16 @@
 #include <utility>
 
 #include "support/drawn_meshes.h"
+#include "support/plans.h"
 #include "support/working_mesh.h"
-#include "vcg_ext/geometry/near_points.h"
+#include "vcg_ext/collapse/collapse_operator.h"
+#include "vcg_ext/collapse/near_points.h"
 #include "vcg_ext/metric/quadric_metric.h"
-#include "vcg_ext/operators/edge_collapser.h"
 
 namespace curvdecim::test {
+
+using namespace detail;
+
 namespace {
 
 using Pairs = std::multiset<std::pair<int, int>>;
@@ -166,7 +170,7 @@ TEST_F(Partners, TooManyAreRefused) {
   EXPECT_NO_THROW(pairs(0.05));
 }
 
-// --- in the collapser ----------------------------------------------------------------------------
+// --- in the operator -----------------------------------------------------------------------------
 
 /// The vertices that 12 may merge with once 13 went into it; above each vertex v of a grid lies
 /// v + 25.
@@ -176,28 +180,28 @@ std::vector<int> mates_after_a_collapse(bool locked) {
   mesh.locked[12] = locked;
   EdgeCollapseParams params;
   params.preserve_topology = false;
-  QuadricMetric metric(mesh, params);
+  QuadricMetric metric = quadric_metric(mesh, params);
   metric.initialize(Parallel(1));
-  EdgeCollapser collapser(mesh, metric, params);
+  CollapseOperator collapses(mesh, metric, limits_of(params), {});
   ProgressMeter progress({});
-  collapser.add_pairs(VertexPairs(mesh, 0.06, Parallel(1), progress));
-  EdgeCollapser<QuadricMetric>::Scratch scratch;
+  collapses.add_pairs(VertexPairs(mesh, 0.06, Parallel(1), progress));
+  CollapseOperator<QuadricMetric>::Scratch scratch;
   const Candidate candidate{0.0, mesh.position[12], 0.0};
-  collapser.ask({12, 13}, candidate.position, scratch);
-  collapser.collapse(candidate, 0.0, 0, scratch);
+  collapses.ask({12, 13}, candidate.position, scratch);
+  collapses.collapse(candidate, 0.0, 0, scratch);
   VertexRing ring;
-  collapser.gather_mates(12, ring);
+  collapses.gather_mates(12, ring);
   std::vector<int> above;
   for (const RingVertex& mate : ring)
     if (mate.vertex >= 25) above.push_back(mate.vertex);
   return above;
 }
 
-TEST(EdgeCollapser, LetsTheMergedVertexMergeWithThePartnersOfBoth) {
+TEST(CollapseOperator, LetsTheMergedVertexMergeWithThePartnersOfBoth) {
   EXPECT_EQ(mates_after_a_collapse(false), (std::vector<int>{37, 38}));
 }
 
-TEST(EdgeCollapser, LetsALockedVertexMergeWithNone) {
+TEST(CollapseOperator, LetsALockedVertexMergeWithNone) {
   EXPECT_EQ(mates_after_a_collapse(true), std::vector<int>());
 }
 

@@ -11,6 +11,9 @@
 #include "support/working_mesh.h"
 
 namespace curvdecim::test {
+
+using namespace detail;
+
 namespace {
 
 VertexRing ring_of(const WorkingMesh& mesh, int v) {

@@ -8,10 +8,13 @@
 #include "support/working_mesh.h"
 
 namespace curvdecim::test {
+
+using namespace detail;
+
 namespace {
 
 std::vector<AlgebraicSphere> spheres_of(const WorkingMesh& mesh, const SphereParams& params = {}) {
-  return VertexSpheres(mesh, params, Parallel(1)).fit();
+  return VertexSpheres(mesh, params, params.feature_angle, Parallel(1)).fit();
 }
 
 SphereParams with_kernel(double scale, bool adaptive) {
@@ -89,7 +92,7 @@ TEST(SharpEdges, AreNotFittedAcross) {
   const WorkingMesh mesh = working_mesh(dense_box(8, {1, 1, 1}));
   const SphereParams params;
   const Parallel parallel(1);
-  const VertexSpheres fits(mesh, params, parallel);
+  const VertexSpheres fits(mesh, params, params.feature_angle, parallel);
   const std::vector<AlgebraicSphere> spheres = fits.fit();
   int sharp = 0, near = 0;
   for (std::size_t i = 0; i < spheres.size(); ++i) {
@@ -110,7 +113,7 @@ TEST(SharpEdges, AreThereForTheFeatureAngleOnly) {
   SphereParams params;
   params.feature_angle = 180.0;
   const Parallel parallel(1);
-  const VertexSpheres fits(mesh, params, parallel);
+  const VertexSpheres fits(mesh, params, params.feature_angle, parallel);
   bool sharp = false;
   for (int v = 0; v < mesh.connectivity.vertex_slots(); ++v) sharp |= fits.sample_of(v).sharp;
   EXPECT_TRUE(sharp);  // a turn of half of it is sharp, and that of a box is just that
@@ -146,7 +149,8 @@ TEST(AdaptiveKernel, GrowsWhereTheFitIsGood) {
 TEST(VertexSpheres, AreTheSameOnAnyNumberOfThreads) {
   const WorkingMesh mesh = working_mesh(noisy_sphere(4, 0.02));
   const std::vector<AlgebraicSphere> expected = spheres_of(mesh);
-  const std::vector<AlgebraicSphere> spheres = VertexSpheres(mesh, {}, Parallel(3)).fit();
+  const std::vector<AlgebraicSphere> spheres =
+      VertexSpheres(mesh, {}, SphereParams().feature_angle, Parallel(3)).fit();
   for (std::size_t v = 0; v < spheres.size(); ++v) {
     ASSERT_EQ(spheres[v].c, expected[v].c);
     ASSERT_EQ(spheres[v].l, expected[v].l);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "vcg_ext/mesh/wedge_texture.h"
+#include "vcg_ext/attributes/wedge_texture.h"
 
 #include <gtest/gtest.h>
 
@@ -7,6 +7,9 @@
 #include "support/working_mesh.h"
 
 namespace curvdecim::test {
+
+using namespace detail;
+
 namespace {
 
 constexpr double other_chart = 10.0;  // added to u right of the middle

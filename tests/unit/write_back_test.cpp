@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "vcg_ext/mesh/write_back.h"
+#include "vcg_ext/host_mesh/write_back.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,12 @@
 #include "support/drawn_meshes.h"
 #include "support/fingerprint.h"
 #include "support/rich_mesh.h"
+#include "vcg_ext/host_mesh/read_mesh.h"
 
 namespace curvdecim::test {
+
+using namespace detail;
+
 namespace {
 
 /// A 4 x 4 grid with attributes, and its arrays.
@@ -17,29 +21,31 @@ class WriteBackOf : public testing::Test {
  protected:
   void draw(const Shape& shape) {
     fill_with_attributes(mesh_, shape);
-    snapshot_ = take_snapshot(mesh_, Parallel(1));
+    copy_ = read_mesh(mesh_, false, Parallel(1));
   }
 
   /// The working vertex of a vertex of the mesh.
   int working(int v) const {
-    const auto& all = snapshot_.vertex_of;
+    const auto& all = copy_.vertex_of;
     return static_cast<int>(std::find(all.begin(), all.end(), v) - all.begin());
   }
 
   /// Collapses an edge of the mesh (numbered as in it) into `keep`, which goes to `x`.
   void collapse(int keep, int gone, const Point& x) {
-    WorkingMesh& mesh = snapshot_.mesh;
-    mesh.position[working(keep)] = snapshot_.box.to_box(x);
+    WorkingMesh& mesh = copy_.mesh;
+    mesh.position[working(keep)] = copy_.box.to_box(x);
     mesh.connectivity.collapse(working(keep), working(gone));
     for (int f : mesh.connectivity.faces_of(working(keep))) mesh.update_plane(f);
   }
 
   void write(const std::vector<BlendStep>& steps = {}) {
-    WriteBack<RichMesh>(mesh_, snapshot_).run(BlendRecord(steps), {}, std::nullopt);
+    Carried carried;
+    carried.blended = BlendRecord(steps);
+    WriteBack<RichMesh>(mesh_, copy_).run(carried);
   }
 
   RichMesh mesh_;
-  Snapshot snapshot_;
+  WorkingCopy copy_;
 };
 
 TEST_F(WriteBackOf, NothingChangedLeavesEveryBit) {

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "vcg_ext/clustering/first_seen.h"
-#include "vcg_ext/mesh/flat_mesh.h"
+#include "vcg_ext/clustering/flat_mesh.h"
 
-namespace curvdecim {
+namespace curvdecim::detail {
 
 /// An edge with one face.
 struct BoundaryEdge {
@@ -80,4 +80,4 @@ inline std::vector<BoundaryEdge> boundary_edges(const FlatMesh& mesh, const Para
   return edges;
 }
 
-}  // namespace curvdecim
+}  // namespace curvdecim::detail

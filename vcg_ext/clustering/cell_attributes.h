@@ -2,14 +2,16 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "vcg_ext/clustering/cell_members.h"
 #include "vcg_ext/clustering/representatives.h"
+#include "vcg_ext/geometry/blend.h"
 #include "vcg_ext/geometry/closest_point.h"
-#include "vcg_ext/mesh/attribute_blend.h"
+#include "vcg_ext/mesh/wedges.h"
 
-namespace curvdecim {
+namespace curvdecim::detail {
 
 /// A point of a face.
 struct FacePoint {
@@ -30,7 +32,7 @@ inline FacePoint nearest_point(const FlatMesh& mesh, IndexRange faces, const Vec
   return nearest;
 }
 
-/// Of which vertices, and in which parts, a cell's vertex has its attributes.
+/// The vertices, and their parts, that a cell's vertex has its attributes from.
 class CellBlend {
  public:
   /// Each cell from its own vertices; weight: by vertex; empty: 1.
@@ -95,4 +97,10 @@ class CellBlend {
   std::vector<Part> parts_;
 };
 
-}  // namespace curvdecim
+/// What cells carry: how it follows from what the input carried.
+struct CarriedByCells {
+  CellBlend blend;
+  std::optional<std::vector<FaceWedges>> wedges;  // by the faces of the clusters, if there are any
+};
+
+}  // namespace curvdecim::detail

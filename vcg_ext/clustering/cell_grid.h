@@ -8,7 +8,7 @@
 
 #include "vcg_ext/geometry/vector3.h"
 
-namespace curvdecim {
+namespace curvdecim::detail {
 
 /// A cell's place in the grid: 21 bits an axis.
 using CellKey = std::uint64_t;
@@ -69,8 +69,8 @@ class CellGrid {
   double side() const { return side_; }
 
  private:
-  /// Of a side, between the middle and the border: rounding must not scatter a plane of symmetry
-  /// over both sides of a border. The last cell of an axis is larger by as much.
+  /// Part of a side between the middle and the border: rounding must not scatter a plane of
+  /// symmetry over both sides of a border. The last cell of an axis is larger by as much.
   static constexpr double aside = 1.0 / 1024.0;
   static constexpr double root_three = 1.7320508075688774;
   static constexpr CellKey mask = (CellKey(1) << bits) - 1;
@@ -85,4 +85,4 @@ class CellGrid {
   std::array<std::uint32_t, 3> last_;
 };
 
-}  // namespace curvdecim
+}  // namespace curvdecim::detail

@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "vcg_ext/clustering/clusters.h"
-#include "vcg_ext/index_range.h"
+#include "vcg_ext/mesh/triangle_connectivity.h"
 
-namespace curvdecim {
+namespace curvdecim::detail {
 
 /// Numbers in groups, ascending in each.
 class Groups {
@@ -47,4 +47,4 @@ inline Groups faces_by_cell(const FlatMesh& mesh, const Clusters& clusters) {
   });
 }
 
-}  // namespace curvdecim
+}  // namespace curvdecim::detail

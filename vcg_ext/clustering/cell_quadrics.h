@@ -6,7 +6,7 @@
 #include "vcg_ext/clustering/boundary_edges.h"
 #include "vcg_ext/clustering/cell_sums.h"
 
-namespace curvdecim {
+namespace curvdecim::detail {
 
 /// The planes of the input, about the centres of its cells @cite lindstrom2000.
 class CellQuadrics {
@@ -82,4 +82,4 @@ class CellQuadrics {
   std::vector<bool> at_boundary_;          // by cell
 };
 
-}  // namespace curvdecim
+}  // namespace curvdecim::detail

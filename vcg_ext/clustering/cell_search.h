@@ -10,7 +10,7 @@
 
 #include "vcg_ext/clustering/clusters.h"
 
-namespace curvdecim {
+namespace curvdecim::detail {
 
 /// Looks for the diameter of the cells at which a number of faces is left.
 ///
@@ -124,4 +124,4 @@ class CellSearch {
   std::optional<Clusters> best_;
 };
 
-}  // namespace curvdecim
+}  // namespace curvdecim::detail

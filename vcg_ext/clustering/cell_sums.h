@@ -7,7 +7,7 @@
 #include "vcg_ext/clustering/clusters.h"
 #include "vcg_ext/geometry/quadric.h"
 
-namespace curvdecim {
+namespace curvdecim::detail {
 
 /// Weighted sum of the points of a cell, about its centre.
 struct PointSum {
@@ -63,4 +63,4 @@ CellSums<Sum> sum_over(int count, int cells, const Parallel& parallel, Add add) 
   return std::move(sums[0]);
 }
 
-}  // namespace curvdecim
+}  // namespace curvdecim::detail

@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "vcg_ext/clustering/cell_attributes.h"
-#include "vcg_ext/mesh/wedge_texture.h"
+#include "vcg_ext/mesh/wedges.h"
 
-namespace curvdecim {
+namespace curvdecim::detail {
 
 /// Texture coordinates by wedge. The corners in a cell fall into charts: those at one vertex with
 /// the same coordinates, and those that a face joins within the cell. A chart takes the coordinates
@@ -125,4 +125,4 @@ class CellTexture {
   bool has_seams_ = false;
 };
 
-}  // namespace curvdecim
+}  // namespace curvdecim::detail

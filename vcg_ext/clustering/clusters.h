@@ -9,9 +9,9 @@
 
 #include "vcg_ext/clustering/cell_grid.h"
 #include "vcg_ext/clustering/first_seen.h"
-#include "vcg_ext/mesh/flat_mesh.h"
+#include "vcg_ext/clustering/flat_mesh.h"
 
-namespace curvdecim {
+namespace curvdecim::detail {
 
 /// A face between three different cells, with the face of the input that it comes from.
 struct CellFace {
@@ -174,4 +174,4 @@ inline Clusters cluster(const FlatMesh& mesh, double diameter, const Parallel& p
   return clusters;
 }
 
-}  // namespace curvdecim
+}  // namespace curvdecim::detail

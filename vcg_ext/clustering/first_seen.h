@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "vcg_ext/parallel.h"
+#include "vcg_ext/parallel/parallel.h"
 
-namespace curvdecim {
+namespace curvdecim::detail {
 
 /// Spreads every bit over the word: the finalizer of splitmix64 @cite steele2014.
 inline std::uint64_t mixed(std::uint64_t x) {
@@ -86,4 +86,4 @@ void for_pieces(int count, int pieces, const Parallel& parallel, Work work) {
       pieces, [&](int piece) { work(piece, bound(piece), bound(piece + 1)); }, Grain{1, pieces});
 }
 
-}  // namespace curvdecim
+}  // namespace curvdecim::detail

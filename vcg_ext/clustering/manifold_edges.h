@@ -9,7 +9,7 @@
 
 #include "vcg_ext/clustering/clusters.h"
 
-namespace curvdecim {
+namespace curvdecim::detail {
 
 /// Chooses faces to drop until no edge has more than two, and keeps as many as it can: that with
 /// the most crowded edges goes first, of equals the last; then what has room again comes back.
@@ -94,4 +94,4 @@ class ManifoldEdges {
   std::vector<int> dropped_;                  // in this order
 };
 
-}  // namespace curvdecim
+}  // namespace curvdecim::detail

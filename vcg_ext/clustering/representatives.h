@@ -9,10 +9,10 @@
 #include "vcg_ext/clustering/cell_members.h"
 #include "vcg_ext/clustering/cell_quadrics.h"
 #include "vcg_ext/clustering/cell_sums.h"
-#include "vcg_ext/geometry/least_in_box.h"
+#include "vcg_ext/clustering/least_in_box.h"
 #include "vcg_ext/params.h"
 
-namespace curvdecim {
+namespace curvdecim::detail {
 
 /// Where the vertices of each cell go, in the unit box.
 struct Representatives {
@@ -42,7 +42,7 @@ class RepresentativeSearch {
     return result;
   }
 
-  /// Of every coordinate by itself; then the vertex nearest to that.
+  /// The median of every coordinate by itself; then the vertex nearest to that.
   Representatives medians() const {
     const Groups members = vertices_by_cell(clusters_);
     Representatives result = start();
@@ -135,7 +135,7 @@ class RepresentativeSearch {
     return result;
   }
 
-  /// Of equals the one with the least coordinates, so that the order of the vertices does not
+  /// The member nearest to p; of equals that of the least coordinates, so that the order does not
   /// matter.
   int nearest_member(IndexRange members, const Vector3& p) const {
     const auto rank = [&](int v) {
@@ -154,4 +154,4 @@ class RepresentativeSearch {
   std::vector<int> members_;      // by cell: how many vertices
 };
 
-}  // namespace curvdecim
+}  // namespace curvdecim::detail

@@ -3,11 +3,11 @@
 
 #include <vector>
 
-#include "vcg_ext/connectivity/edge_neighborhood.h"
 #include "vcg_ext/curvature/vertex_curvature.h"
-#include "vcg_ext/parallel.h"
+#include "vcg_ext/mesh/edge_neighborhood.h"
+#include "vcg_ext/parallel/parallel.h"
 
-namespace curvdecim {
+namespace curvdecim::detail {
 
 /// The curvature at the vertices of the mesh while it is decimated, brought up to date around each
 /// collapse @cite pellizzoni2020.
@@ -58,4 +58,4 @@ class CurrentCurvature {
   std::vector<CurvatureSums> sums_;   // by vertex
 };
 
-}  // namespace curvdecim
+}  // namespace curvdecim::detail

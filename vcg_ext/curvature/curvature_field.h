@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "vcg_ext/curvature/vertex_curvature.h"
-#include "vcg_ext/parallel.h"
+#include "vcg_ext/parallel/parallel.h"
 
-namespace curvdecim {
+namespace curvdecim::detail {
 
 /// A measure of curvature over a mesh, in the unit of its positions.
 struct CurvatureField {
@@ -91,4 +91,4 @@ inline CurvatureField curvature_field(const WorkingMesh& mesh, const CurvaturePa
   return field;
 }
 
-}  // namespace curvdecim
+}  // namespace curvdecim::detail

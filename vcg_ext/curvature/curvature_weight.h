@@ -7,7 +7,7 @@
 #include "vcg_ext/curvature/curvature_field.h"
 #include "vcg_ext/params.h"
 
-namespace curvdecim {
+namespace curvdecim::detail {
 
 /// The factor floor + (1 - floor) saturation on the cost. As printed @cite pellizzoni2020 the floor
 /// is 0, which makes flat and cylindrical places free and their order arbitrary, and the saturation
@@ -21,7 +21,7 @@ class CurvatureWeight {
   CurvatureWeight(AlphaUnits form, double alpha, double floor, double unit)
       : is_step_(form == AlphaUnits::ScaleFree), alpha_(alpha), floor_(floor), unit_(unit) {}
 
-  /// Of a measure of curvature; 0..1.
+  /// How curved a place of this curvature counts; 0..1.
   double saturation(double curvature) const {
     if (!(alpha_ > 0.0) || !(unit_ > 0.0)) return 1.0;
     const double k = curvature / unit_;
@@ -54,4 +54,4 @@ inline CurvatureWeight curvature_weight(const CurvatureParams& params, const Cur
           params.curvature_kind == CurvatureKind::Gaussian ? diagonal * diagonal : diagonal};
 }
 
-}  // namespace curvdecim
+}  // namespace curvdecim::detail

@@ -8,7 +8,7 @@
 #include "vcg_ext/mesh/working_mesh.h"
 #include "vcg_ext/params.h"
 
-namespace curvdecim {
+namespace curvdecim::detail {
 
 /// Discrete curvature around a vertex, in the unit of the positions.
 struct VertexCurvature {
@@ -101,4 +101,4 @@ inline VertexCurvature vertex_curvature(const WorkingMesh& mesh, int v) {
   return curvature_sums(mesh, v, angle_at).curvature(mesh.kind[v]);
 }
 
-}  // namespace curvdecim
+}  // namespace curvdecim::detail

@@ -5,13 +5,13 @@
 #include <cmath>
 #include <vector>
 
-#include "vcg_ext/curvature/sharp_vertices.h"
 #include "vcg_ext/geometry/sphere_fit.h"
+#include "vcg_ext/mesh/sharp_edges.h"
 #include "vcg_ext/mesh/working_mesh.h"
-#include "vcg_ext/parallel.h"
+#include "vcg_ext/parallel/parallel.h"
 #include "vcg_ext/params.h"
 
-namespace curvdecim {
+namespace curvdecim::detail {
 
 /// What a vertex gives to the fits around it.
 struct SphereSample {
@@ -32,9 +32,11 @@ inline double kernel_weight(double distance2, double radius2) {
 /// edges, so that a sphere sees one side of an edge only; that of a sharp vertex sees all sides.
 class VertexSpheres {
  public:
-  VertexSpheres(const WorkingMesh& mesh, const SphereParams& params, const Parallel& parallel)
-      : mesh_(mesh), params_(params), parallel_(parallel), sample_(mesh.position.size()) {
-    const SharpVertices is_sharp(mesh, smooth_part * params.feature_angle);
+  /// feature_angle: degrees, of a sharp edge.
+  VertexSpheres(const WorkingMesh& mesh, const KernelParams& kernel, double feature_angle,
+                const Parallel& parallel)
+      : mesh_(mesh), kernel_(kernel), parallel_(parallel), sample_(mesh.position.size()) {
+    const SharpVertices is_sharp(mesh, smooth_part * feature_angle);
     parallel.for_each(static_cast<int>(sample_.size()), [&](int v) {
       sample_[v] = sample(v);
       sample_[v].sharp = mesh_.kind[v] >= VertexKind::Curve || is_sharp(v);
@@ -56,7 +58,7 @@ class VertexSpheres {
   }
 
  private:
-  /// Of the feature angle: where faces turn by more, no sphere is near both.
+  /// Part of the feature angle: where faces turn by more, no sphere is near both.
   static constexpr double smooth_part = 0.5;
   /// The kernel shrinks where the fit is off by more than `bad` and grows where it is off by less
   /// than `good`, root of the weighted mean square to the mean edge around, each time by `step`.
@@ -94,9 +96,9 @@ class VertexSpheres {
   }
 
   AlgebraicSphere fit(int v, Gathering& gathering) const {
-    double scale = params_.kernel_scale;
+    double scale = kernel_.kernel_scale;
     Fit best = fit(v, scale, gathering);
-    if (!params_.adaptive_kernel) return best.sphere;
+    if (!kernel_.adaptive_kernel) return best.sphere;
     if (best.residual < good) {
       const Fit wider = fit(v, scale * step, gathering);
       return wider.residual < good ? wider.sphere : best.sphere;
@@ -156,9 +158,9 @@ class VertexSpheres {
   }
 
   const WorkingMesh& mesh_;
-  const SphereParams& params_;
+  const KernelParams& kernel_;
   const Parallel& parallel_;
   std::vector<SphereSample> sample_;  // by vertex
 };
 
-}  // namespace curvdecim
+}  // namespace curvdecim::detail

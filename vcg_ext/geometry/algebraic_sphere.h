@@ -6,7 +6,7 @@
 
 #include "vcg_ext/geometry/vector3.h"
 
-namespace curvdecim {
+namespace curvdecim::detail {
 
 /// Algebraic sphere S(x) = c + l.x + q x.x @cite guennebaud2007, as a function of the offset from
 /// an origin of its own. It is positive on the side that the gradient points to; a plane has q = 0.
@@ -61,4 +61,4 @@ inline AlgebraicSphere interpolated(const AlgebraicSphere& a, const AlgebraicSph
   return a * (1.0 - t) + b * t;
 }
 
-}  // namespace curvdecim
+}  // namespace curvdecim::detail

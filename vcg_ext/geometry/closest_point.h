@@ -7,7 +7,7 @@
 
 #include "vcg_ext/geometry/triangle.h"
 
-namespace curvdecim {
+namespace curvdecim::detail {
 
 using Barycentric = std::array<double, 3>;
 
@@ -55,4 +55,4 @@ inline Barycentric closest_point(const Triangle& t, const Vector3& p) {
   return closest_point(t, (t[1] - t[0]).cross(t[2] - t[0]), p);
 }
 
-}  // namespace curvdecim
+}  // namespace curvdecim::detail

@@ -5,7 +5,7 @@
 
 #include "vcg_ext/geometry/vector3.h"
 
-namespace curvdecim {
+namespace curvdecim::detail {
 
 /// The 21 lowest bits of x with two zeros before each.
 inline std::uint64_t spread_bits(std::uint64_t x) {
@@ -25,4 +25,4 @@ inline std::uint64_t morton_code(const Vector3& p) {
   return spread_bits(cell(p.x())) | spread_bits(cell(p.y())) << 1 | spread_bits(cell(p.z())) << 2;
 }
 
-}  // namespace curvdecim
+}  // namespace curvdecim::detail

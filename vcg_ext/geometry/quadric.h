@@ -3,7 +3,7 @@
 
 #include "vcg_ext/geometry/symmetric3.h"
 
-namespace curvdecim {
+namespace curvdecim::detail {
 
 /// Weighted sum of squared distances to planes @cite garland1997, as a function of the offset from
 /// an origin of its own: value(d) = d^T A d + 2 b.d + c. The origin is the vertex that carries the
@@ -49,4 +49,4 @@ inline QuadricOfEdge sum_about_midpoint(const Quadric& p, const Quadric& q, cons
 
 inline Quadric operator+(Quadric p, const Quadric& q) { return p += q; }
 
-}  // namespace curvdecim
+}  // namespace curvdecim::detail

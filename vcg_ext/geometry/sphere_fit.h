@@ -5,7 +5,7 @@
 
 #include "vcg_ext/geometry/algebraic_sphere.h"
 
-namespace curvdecim {
+namespace curvdecim::detail {
 
 /// What an algebraic sphere is fitted to @cite guennebaud2008: sums over weighted points and unit
 /// normals, about an origin of their own. They add up, like quadrics.
@@ -76,4 +76,4 @@ struct SphereSums {
 
 inline SphereSums operator+(SphereSums a, const SphereSums& b) { return a += b; }
 
-}  // namespace curvdecim
+}  // namespace curvdecim::detail

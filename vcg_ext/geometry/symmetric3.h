@@ -3,7 +3,7 @@
 
 #include "vcg_ext/geometry/vector3.h"
 
-namespace curvdecim {
+namespace curvdecim::detail {
 
 /// Symmetric 3x3 matrix.
 struct Symmetric3 {
@@ -65,4 +65,4 @@ class Factorization3 {
   double l10_, l20_, l21_, i0_, i1_, i2_;
 };
 
-}  // namespace curvdecim
+}  // namespace curvdecim::detail

@@ -6,7 +6,7 @@
 
 #include "vcg_ext/geometry/vector3.h"
 
-namespace curvdecim {
+namespace curvdecim::detail {
 
 using Triangle = std::array<Vector3, 3>;
 
@@ -55,4 +55,4 @@ inline bool is_worse_shaped(const Triangle& t, double area, double quality) {
   return four_root_three * area < quality * sum_of_squared_edges(t);
 }
 
-}  // namespace curvdecim
+}  // namespace curvdecim::detail

@@ -6,7 +6,7 @@
 #include "vcg_ext/errors.h"
 #include "vcg_ext/geometry/vector3.h"
 
-namespace curvdecim {
+namespace curvdecim::detail {
 
 /// The way between a mesh's own coordinates and a box of diagonal 1 around the origin.
 struct UnitBox {
@@ -17,7 +17,7 @@ struct UnitBox {
   Vector3 to_user(const Vector3& p) const { return diagonal * p + center; }
 };
 
-/// Of the bounding box from low to high. Divides by the largest side before squaring, so that no
+/// The way to and from a bounding box. Divides by its largest side before squaring, so that no
 /// unit of length overflows. Throws InputError where the box is a point.
 inline UnitBox unit_box(const Vector3& low, const Vector3& high) {
   const double side = (high - low).maxCoeff();
@@ -26,4 +26,4 @@ inline UnitBox unit_box(const Vector3& low, const Vector3& high) {
   return {0.5 * low + 0.5 * high, side * ((high - low) / side).norm()};
 }
 
-}  // namespace curvdecim
+}  // namespace curvdecim::detail

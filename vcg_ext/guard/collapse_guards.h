@@ -7,26 +7,25 @@
 #include "vcg_ext/guard/error_bound.h"
 #include "vcg_ext/guard/face_guard.h"
 #include "vcg_ext/guard/link_condition.h"
-#include "vcg_ext/guard/triangle_after.h"
-#include "vcg_ext/params.h"
+#include "vcg_ext/mesh/working_mesh.h"
 #include "vcg_ext/report.h"
 
-namespace curvdecim {
+namespace curvdecim::detail {
 
 /// Whether a collapse may be done.
 struct GuardAnswer {
   std::optional<Rejection> refusal;  ///< nullopt: it may
-  double error_bound = 0.0;          ///< of the faces around, were it done; 0 without MaxError
+  double error_bound = 0.0;          ///< of the faces around, were it done; 0 without a bound
 };
 
 /// All that may refuse a collapse once its kinds allow it: the cheap guards first.
 class CollapseGuards {
  public:
-  CollapseGuards(const WorkingMesh& mesh, const DecimationParams& params)
+  CollapseGuards(const WorkingMesh& mesh, const CollapseLimits& limits)
       : mesh_(mesh),
-        link_condition_(params.preserve_topology || params.max_error > 0.0),
-        face_guard_(mesh, params),
-        bound_(mesh, params.max_error) {}
+        link_condition_(limits.keeps_topology || limits.max_error > 0.0),
+        face_guard_(mesh, limits.faces),
+        bound_(mesh, limits.max_error) {}
 
   /// May the edge collapse to x? If so, `after` has the planes that the star would have.
   GuardAnswer ask(const EdgeNeighborhood& around, const Vector3& x,
@@ -62,4 +61,4 @@ class CollapseGuards {
   ErrorBound bound_;
 };
 
-}  // namespace curvdecim
+}  // namespace curvdecim::detail

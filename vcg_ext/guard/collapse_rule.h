@@ -3,11 +3,11 @@
 
 #include <optional>
 
+#include "vcg_ext/guard/limits.h"
+#include "vcg_ext/mesh/edge_neighborhood.h"
 #include "vcg_ext/mesh/working_mesh.h"
-#include "vcg_ext/metric/candidate.h"
-#include "vcg_ext/params.h"
 
-namespace curvdecim {
+namespace curvdecim::detail {
 
 /// Which kind may go into which; nullopt: the edge stays. A locked vertex and a junction stay where
 /// they are; a vertex of a boundary or a curve goes along it only.
@@ -20,8 +20,8 @@ namespace curvdecim {
 /// | junction |          |          |          | stays    |
 class CollapseRule {
  public:
-  CollapseRule(const WorkingMesh& mesh, const DecimationParams& params)
-      : mesh_(mesh), topology_(params.preserve_topology), boundary_(params.preserve_boundary) {}
+  CollapseRule(const WorkingMesh& mesh, const CollapseLimits& limits)
+      : mesh_(mesh), topology_(limits.keeps_topology), boundary_(limits.keeps_boundary) {}
 
   /// An edge between two such vertices may collapse to anywhere.
   bool is_free(int v) const { return mesh_.kind[v] == VertexKind::Interior && !mesh_.locked[v]; }
@@ -56,4 +56,4 @@ class CollapseRule {
   const bool topology_, boundary_;
 };
 
-}  // namespace curvdecim
+}  // namespace curvdecim::detail

@@ -6,12 +6,11 @@
 #include <vector>
 
 #include "vcg_ext/geometry/closest_point.h"
-#include "vcg_ext/geometry/patch_distance.h"
 #include "vcg_ext/guard/link_condition.h"
-#include "vcg_ext/guard/triangle_after.h"
-#include "vcg_ext/metric/candidate.h"
+#include "vcg_ext/guard/patch_distance.h"
+#include "vcg_ext/mesh/working_mesh.h"
 
-namespace curvdecim {
+namespace curvdecim::detail {
 
 /// A guaranteed bound on the two-sided distance to the input. Every collapse maps the old faces
 /// around the edge one to one onto the new ones @cite cohen1997; what a point has moved in all is
@@ -129,4 +128,4 @@ class ErrorBound {
   std::vector<double> of_face_;
 };
 
-}  // namespace curvdecim
+}  // namespace curvdecim::detail

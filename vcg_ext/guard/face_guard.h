@@ -4,23 +4,20 @@
 #include <optional>
 #include <vector>
 
-#include "vcg_ext/guard/normal_flip.h"
-#include "vcg_ext/guard/triangle_shape.h"
+#include "vcg_ext/guard/limits.h"
 #include "vcg_ext/mesh/working_mesh.h"
-#include "vcg_ext/params.h"
 #include "vcg_ext/report.h"
 
-namespace curvdecim {
+namespace curvdecim::detail {
 
 /// Whether a face may become another triangle. Turns are counted from the current normal and from
 /// the input's, so that many small ones cannot flip a face.
 class FaceGuard {
  public:
-  FaceGuard(const WorkingMesh& mesh, const DecimationParams& params)
+  FaceGuard(const WorkingMesh& mesh, const FaceLimits& limits)
       : mesh_(mesh),
-        cos_normal_(params.preserve_normal ? least_cosine(params.normal_angle) : -1.0),
-        cos_input_normal_(params.preserve_normal ? least_cosine(from_input * params.normal_angle)
-                                                 : -1.0) {
+        cos_normal_(least_cosine(limits, 1.0)),
+        cos_input_normal_(least_cosine(limits, from_input)) {
     input_normal_.reserve(mesh.plane.size());
     for (const FacePlane& plane : mesh.plane) input_normal_.push_back(RoughNormal(plane.normal));
   }
@@ -48,4 +45,4 @@ class FaceGuard {
   std::vector<RoughNormal> input_normal_;  // by face
 };
 
-}  // namespace curvdecim
+}  // namespace curvdecim::detail

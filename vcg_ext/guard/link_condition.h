@@ -5,10 +5,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "vcg_ext/connectivity/edge_neighborhood.h"
+#include "vcg_ext/mesh/edge_neighborhood.h"
 #include "vcg_ext/mesh/working_mesh.h"
 
-namespace curvdecim {
+namespace curvdecim::detail {
 
 /// True if the ends have a common neighbour other than the third vertices of the faces at the edge.
 /// Most neighbours of b are ruled out by a bit each of those of a.
@@ -51,4 +51,4 @@ inline bool satisfies_link_condition(const WorkingMesh& mesh, const EdgeNeighbor
   return true;
 }
 
-}  // namespace curvdecim
+}  // namespace curvdecim::detail

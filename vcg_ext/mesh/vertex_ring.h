@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <vector>
 
-#include "vcg_ext/connectivity/edge_neighborhood.h"
+#include "vcg_ext/mesh/edge_neighborhood.h"
 #include "vcg_ext/mesh/working_mesh.h"
 
-namespace curvdecim {
+namespace curvdecim::detail {
 
 /// A neighbour of a vertex.
 struct RingVertex {
@@ -68,4 +68,4 @@ inline void gather_ring(const WorkingMesh& mesh, int v, VertexRing& ring) {
   }
 }
 
-}  // namespace curvdecim
+}  // namespace curvdecim::detail

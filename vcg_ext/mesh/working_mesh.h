@@ -4,12 +4,13 @@
 #include <cstdint>
 #include <vector>
 
-#include "vcg_ext/connectivity/renumbering.h"
-#include "vcg_ext/connectivity/triangle_connectivity.h"
-#include "vcg_ext/connectivity/vertex_kind.h"
 #include "vcg_ext/geometry/triangle.h"
+#include "vcg_ext/mesh/edge_neighborhood.h"
+#include "vcg_ext/mesh/renumbering.h"
+#include "vcg_ext/mesh/triangle_connectivity.h"
+#include "vcg_ext/mesh/vertex_kind.h"
 
-namespace curvdecim {
+namespace curvdecim::detail {
 
 /// The mesh while it is decimated: index arrays in a box of diagonal 1 around the origin.
 struct WorkingMesh {
@@ -45,4 +46,13 @@ inline Vector3 area_vector_around(const WorkingMesh& mesh, int v) {
   return sum;
 }
 
-}  // namespace curvdecim
+/// Face f with its corner at a or b moved to x.
+inline Triangle triangle_after(const WorkingMesh& mesh, int f, Edge edge, const Vector3& x) {
+  const Face& face = mesh.connectivity.face(f);
+  const auto corner = [&](int v) -> const Vector3& {
+    return v == edge.a || v == edge.b ? x : mesh.position[v];
+  };
+  return {corner(face[0]), corner(face[1]), corner(face[2])};
+}
+
+}  // namespace curvdecim::detail

@@ -10,7 +10,7 @@
 #include "vcg_ext/metric/quadric_metric.h"
 #include "vcg_ext/metric/sphere_ring.h"
 
-namespace curvdecim {
+namespace curvdecim::detail {
 
 /// Distance of the new faces to algebraic spheres @cite michaud2017, together with the memoryless
 /// quadric error, and the position in space that minimises both. A vertex carries the fit sums of
@@ -20,8 +20,8 @@ namespace curvdecim {
 /// none; the planes hold them.
 class AnchoredSphereMetric {
  public:
-  AnchoredSphereMetric(const WorkingMesh& mesh, const SphereParams& params)
-      : mesh_(mesh), params_(params), planes_(mesh, params, QuadricParams()) {}
+  AnchoredSphereMetric(const WorkingMesh& mesh, const SpherePlan& plan)
+      : mesh_(mesh), plan_(plan), planes_(mesh, plan.quadrics) {}
 
   void initialize(const Parallel& parallel) {
     planes_.initialize(parallel);
@@ -34,7 +34,7 @@ class AnchoredSphereMetric {
     if (!candidate) return candidate;
     const Quadric planes = planes_.of_edge(edge);
     const double squares = candidate->cost;
-    candidate->cost = planes_in_unit_of(params_.energy, squares, planes.a.trace());
+    candidate->cost = planes_in_unit_of(plan_.energy, squares, planes.a.trace());
     if (squares == 0.0 || !has_sphere(edge)) return candidate;
     const View view = look(edge, candidate->position);
     const Errors errors = errors_of(squares, planes, view);
@@ -46,20 +46,20 @@ class AnchoredSphereMetric {
   /// By the planes alone: spheres decide where the vertex goes rather than which edge is cheapest.
   void estimate(int v, const std::vector<int>& others, std::vector<double>& costs) const {
     planes_.estimate(v, others, costs);
-    if (params_.energy == SphereEnergy::Squared) return;
+    if (plan_.energy == SphereEnergy::Squared) return;
     for (std::size_t i = 0; i < others.size(); ++i)
-      costs[i] = planes_in_unit_of(params_.energy, costs[i],
-                                   planes_.weight(v) + planes_.weight(others[i]));
+      costs[i] =
+          planes_in_unit_of(plan_.energy, costs[i], planes_.weight(v) + planes_.weight(others[i]));
   }
 
   void release(const EdgeNeighborhood& around, const std::vector<FacePlane>& after) {
     planes_.release(around, after);
   }
 
-  void merge(const Collapse& collapse, const EdgeNeighborhood& around) {
-    planes_.merge(collapse, around);
-    anchor_[collapse.keep] = merged(collapse.keep, collapse.now - collapse.keep_was, collapse.gone,
-                                    collapse.now - collapse.gone_was);
+  void merge(const VertexMerge& merge, const EdgeNeighborhood& around) {
+    planes_.merge(merge, around);
+    anchor_[merge.keep] =
+        merged(merge.keep, merge.now - merge.keep_was, merge.gone, merge.now - merge.gone_was);
   }
 
   void renumber(const Renumbering& numbers) {
@@ -71,7 +71,7 @@ class AnchoredSphereMetric {
   static constexpr double caution = 3.0;
   static constexpr int hub = 64;  // faces around an edge, from which on the planes will do
 
-  /// Of the input that has gone into a vertex, about it.
+  /// What a vertex knows of the input that has gone into it, about it.
   struct Anchor {
     SphereSums sums;  // no weight: there is no sphere
     AlgebraicSphere sphere;
@@ -96,7 +96,7 @@ class AnchoredSphereMetric {
   };
 
   void fit_spheres(const Parallel& parallel) {
-    const VertexSpheres fits(mesh_, params_, parallel);
+    const VertexSpheres fits(mesh_, plan_.kernel, plan_.quadrics.feature_angle, parallel);
     const std::vector<AlgebraicSphere> spheres = fits.fit();
     anchor_.resize(spheres.size());
     parallel.for_each(static_cast<int>(anchor_.size()), [&](int v) {
@@ -107,7 +107,7 @@ class AnchoredSphereMetric {
     });
   }
 
-  /// Of the points around the vertex that are nearer to it than to others, taken as a disk around
+  /// Sums over the points that are nearer to the vertex than to others, taken as a disk around
   /// it, with the normals of the fitted sphere: they overlap with no other vertex's, so that sums
   /// over many vertices are a fit to just their part of the surface.
   static SphereSums sums_of_cell(const AlgebraicSphere& sphere, double area) {
@@ -144,7 +144,7 @@ class AnchoredSphereMetric {
     return mesh_.kind[edge.a] == VertexKind::Interior && mesh_.kind[edge.b] == VertexKind::Interior;
   }
 
-  /// Of two vertices, seen from the place that lies these steps away from them.
+  /// The anchor of two vertices, seen from the place that lies these steps away from them.
   Anchor merged(int a, const Vector3& from_a, int b, const Vector3& from_b) const {
     Anchor anchor;
     if (!(anchor_[a].sums.weight > 0.0) || !(anchor_[b].sums.weight > 0.0)) return anchor;
@@ -198,8 +198,8 @@ class AnchoredSphereMetric {
   }
 
   Errors errors_of(double squares, const Quadric& planes, const View& view) const {
-    const double of_planes = planes_in_unit_of(params_.energy, squares, planes.a.trace());
-    const double of_spheres = view.energy.of(params_.energy);
+    const double of_planes = planes_in_unit_of(plan_.energy, squares, planes.a.trace());
+    const double of_spheres = view.energy.of(plan_.energy);
     return {of_planes, (of_planes + view.trust * of_spheres) / (1.0 + view.trust)};
   }
 
@@ -231,9 +231,9 @@ class AnchoredSphereMetric {
   }
 
   const WorkingMesh& mesh_;
-  const SphereParams& params_;
+  const SpherePlan plan_;
   QuadricMetric planes_;
   std::vector<Anchor> anchor_;  // by vertex
 };
 
-}  // namespace curvdecim
+}  // namespace curvdecim::detail

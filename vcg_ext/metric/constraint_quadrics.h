@@ -4,14 +4,22 @@
 #include <cstdint>
 #include <vector>
 
-#include "vcg_ext/connectivity/edge_neighborhood.h"
 #include "vcg_ext/geometry/symmetric3.h"
+#include "vcg_ext/geometry/triangle.h"
+#include "vcg_ext/mesh/edge_neighborhood.h"
 #include "vcg_ext/mesh/sharp_edges.h"
 #include "vcg_ext/mesh/working_mesh.h"
-#include "vcg_ext/parallel.h"
+#include "vcg_ext/metric/metric_plan.h"
+#include "vcg_ext/parallel/parallel.h"
 #include "vcg_ext/params.h"
 
-namespace curvdecim {
+namespace curvdecim::detail {
+
+/// The plane of a face about any of its corners, which it passes through; factor: on its weight.
+inline Symmetric3 plane_matrix(const FacePlane& plane, PlaneWeight weight, double factor = 1.0) {
+  return Symmetric3::outer(plane.normal,
+                           weight == PlaneWeight::Area ? factor * plane.area : factor);
+}
 
 /// Plane through an edge of face f, perpendicular to the face, about either end of the edge.
 inline Symmetric3 edge_plane_matrix(const WorkingMesh& mesh, int f, int a, int b,
@@ -37,13 +45,13 @@ inline Symmetric3 boundary_matrix(const WorkingMesh& mesh, int v, PlaneWeight we
 /// @cite garland1997, about each of the edge's two vertices, which they pass through.
 class ConstraintQuadrics {
  public:
-  ConstraintQuadrics(const WorkingMesh& mesh, const DecimationParams& params, PlaneWeight weight)
-      : mesh_(mesh), params_(params), weight_(weight), sharp_(mesh, params.feature_angle) {}
+  ConstraintQuadrics(const WorkingMesh& mesh, const QuadricPlan& plan)
+      : mesh_(mesh), plan_(plan), sharp_(mesh, plan.feature_angle) {}
 
   /// add(v, matrix) for both vertices of each such edge.
   template <class Add>
   void build(const Parallel& parallel, Add add) const {
-    if (!(params_.boundary_weight > 0.0)) return;
+    if (!(plan_.boundary_weight > 0.0)) return;
     std::vector<std::uint8_t> smooth(mesh_.connectivity.vertex_slots());  // by vertex
     parallel.for_each(mesh_.connectivity.vertex_slots(), [&](int v) { smooth[v] = is_smooth(v); });
     std::vector<std::uint8_t> held(mesh_.connectivity.face_slots());  // by face: a bit an edge
@@ -73,14 +81,14 @@ class ConstraintQuadrics {
   void add_plane(int f, int i, Add add) const {
     const Face& face = mesh_.connectivity.face(f);
     const int a = face[i], b = face[(i + 1) % 3];
-    const Symmetric3 plane = edge_plane_matrix(mesh_, f, a, b, weight_) * params_.boundary_weight;
+    const Symmetric3 plane =
+        edge_plane_matrix(mesh_, f, a, b, plan_.plane_weight) * plan_.boundary_weight;
     add(a, plane), add(b, plane);
   }
 
   const WorkingMesh& mesh_;
-  const DecimationParams& params_;
-  const PlaneWeight weight_;
+  const QuadricPlan& plan_;
   const SharpEdges sharp_;
 };
 
-}  // namespace curvdecim
+}  // namespace curvdecim::detail

@@ -8,14 +8,14 @@
 
 #include "vcg_ext/metric/quadric_metric.h"
 
-namespace curvdecim {
+namespace curvdecim::detail {
 
 /// Quadric error plus lambda times a discrete curvature of the edge @cite yao2015, equation 8. The
 /// printed curvature is ambiguous; docs/decisions/yao-curvature-term.md has both readings.
 class CurvatureAdditiveMetric {
  public:
-  CurvatureAdditiveMetric(const WorkingMesh& mesh, const EdgeCollapseParams& params)
-      : mesh_(mesh), params_(params), quadric_(mesh, params) {}
+  CurvatureAdditiveMetric(const WorkingMesh& mesh, const CurvatureAdditivePlan& plan)
+      : mesh_(mesh), plan_(plan), quadric_(mesh, plan.quadrics) {}
 
   void initialize(const Parallel& parallel) { quadric_.initialize(parallel); }
 
@@ -34,20 +34,20 @@ class CurvatureAdditiveMetric {
     quadric_.release(around, after);
   }
 
-  void merge(const Collapse& collapse, const EdgeNeighborhood& around) {
-    quadric_.merge(collapse, around);
+  void merge(const VertexMerge& merge, const EdgeNeighborhood& around) {
+    quadric_.merge(merge, around);
   }
 
   void renumber(const Renumbering& numbers) { quadric_.renumber(numbers); }
 
  private:
   double additive_term(Edge edge) const {
-    return params_.lambda * plane_unit(edge) * edge_curvature(edge);
+    return plan_.lambda * plane_unit(edge) * edge_curvature(edge);
   }
 
   /// What one plane weighs around the edge, so that lambda means the same with area weights.
   double plane_unit(Edge edge) const {
-    if (params_.plane_weight == PlaneWeight::Unit) return 1.0;
+    if (plan_.quadrics.plane_weight == PlaneWeight::Unit) return 1.0;
     double area = 0.0;
     int faces = 0;
     for (int v : {edge.a, edge.b})
@@ -64,7 +64,7 @@ class CurvatureAdditiveMetric {
   }
 
   double deviation(int f, Edge edge) const {
-    const bool melax = params_.curvature_term == CurvatureTerm::Melax;
+    const bool melax = plan_.term == CurvatureTerm::Melax;
     double least = std::numeric_limits<double>::infinity(), most = -least;
     for (int wing : mesh_.connectivity.faces_of(edge.a)) {
       if (!mesh_.connectivity.face_has(wing, edge.b)) continue;
@@ -77,8 +77,8 @@ class CurvatureAdditiveMetric {
   }
 
   const WorkingMesh& mesh_;
-  const EdgeCollapseParams& params_;
+  const CurvatureAdditivePlan plan_;
   QuadricMetric quadric_;
 };
 
-}  // namespace curvdecim
+}  // namespace curvdecim::detail

@@ -11,7 +11,7 @@
 #include "vcg_ext/mesh/vertex_ring.h"
 #include "vcg_ext/metric/quadric_metric.h"
 
-namespace curvdecim {
+namespace curvdecim::detail {
 
 /// Quadric error times a factor that grows with the curvature at both ends @cite pellizzoni2020,
 /// equation 8. The curvature is that of the current mesh, as in the paper, or that of the input,
@@ -20,10 +20,8 @@ namespace curvdecim {
 /// other to the cost.
 class CurvatureWeightedMetric {
  public:
-  /// diagonal: of the input in its own unit.
-  CurvatureWeightedMetric(const WorkingMesh& mesh, const EdgeCollapseParams& params,
-                          double diagonal)
-      : mesh_(mesh), params_(params), diagonal_(diagonal), quadric_(mesh, params), current_(mesh) {}
+  CurvatureWeightedMetric(const WorkingMesh& mesh, const CurvatureWeightedPlan& plan)
+      : mesh_(mesh), plan_(plan), quadric_(mesh, plan.quadrics), current_(mesh) {}
 
   void initialize(const Parallel& parallel) {
     measure(parallel);
@@ -48,15 +46,15 @@ class CurvatureWeightedMetric {
     if (follows_current()) current_.release(around);
   }
 
-  void merge(const Collapse& collapse, const EdgeNeighborhood& around) {
-    if (!follows_current()) average(collapse.keep, collapse.gone);
-    if (weighs_planes()) quadric_.set_factor(collapse.keep, root(saturation_[collapse.keep]));
-    quadric_.merge(collapse, around);
+  void merge(const VertexMerge& merge, const EdgeNeighborhood& around) {
+    if (!follows_current()) average(merge.keep, merge.gone);
+    if (weighs_planes()) quadric_.set_factor(merge.keep, root(saturation_[merge.keep]));
+    quadric_.merge(merge, around);
     if (!follows_current()) return;
-    current_.merge(collapse.keep, around);
-    update(collapse.keep);
+    current_.merge(merge.keep, around);
+    update(merge.keep);
     VertexRing ring;
-    gather_ring(mesh_, collapse.keep, ring);
+    gather_ring(mesh_, merge.keep, ring);
     for (const RingVertex& u : ring) update(u.vertex);
   }
 
@@ -67,8 +65,8 @@ class CurvatureWeightedMetric {
 
  private:
   void measure(const Parallel& parallel) {
-    const CurvatureField field = curvature_field(mesh_, params_, parallel);
-    weight_ = curvature_weight(params_, field, diagonal_);
+    const CurvatureField field = curvature_field(mesh_, plan_.curvature, parallel);
+    weight_ = curvature_weight(plan_.curvature, field, plan_.diagonal);
     area_.assign(field.area.begin(), field.area.end());
     saturation_.resize(field.value.size());
     parallel.for_each(static_cast<int>(saturation_.size()), [&](int v) {
@@ -76,11 +74,11 @@ class CurvatureWeightedMetric {
     });
   }
 
-  bool follows_current() const { return params_.curvature_of == CurvatureOf::Current; }
+  bool follows_current() const { return plan_.curvature.curvature_of == CurvatureOf::Current; }
 
-  /// Not where the curvature changes away from the collapse.
+  /// Not where the curvature changes away from the merge.
   bool weighs_planes() const {
-    return params_.alpha_units == AlphaUnits::ScaleFree && !follows_current();
+    return plan_.curvature.alpha_units == AlphaUnits::ScaleFree && !follows_current();
   }
 
   double factor(Edge edge) const {
@@ -98,7 +96,8 @@ class CurvatureWeightedMetric {
   }
 
   void update(int v) {
-    saturation_[v] = static_cast<float>(weight_.saturation(current_.at(v).measure(params_)));
+    saturation_[v] =
+        static_cast<float>(weight_.saturation(current_.at(v).measure(plan_.curvature)));
   }
 
   /// By the input's area that has gone into each.
@@ -113,8 +112,7 @@ class CurvatureWeightedMetric {
   }
 
   const WorkingMesh& mesh_;
-  const EdgeCollapseParams& params_;
-  const double diagonal_;
+  const CurvatureWeightedPlan plan_;
   QuadricMetric quadric_;
   CurrentCurvature current_;  // where it is followed
   CurvatureWeight weight_;
@@ -122,4 +120,4 @@ class CurvatureWeightedMetric {
   std::vector<float> area_;        // by vertex: of the input, that has gone into it
 };
 
-}  // namespace curvdecim
+}  // namespace curvdecim::detail

@@ -6,12 +6,12 @@
 #include <vector>
 
 #include "vcg_ext/curvature/vertex_spheres.h"
-#include "vcg_ext/metric/candidate.h"
 #include "vcg_ext/metric/constraint_quadrics.h"
+#include "vcg_ext/metric/metric.h"
 #include "vcg_ext/metric/quadric_metric.h"
 #include "vcg_ext/metric/sphere_ring.h"
 
-namespace curvdecim {
+namespace curvdecim::detail {
 
 /// Algebraic spheres as printed @cite michaud2017: those of both ends are interpolated along the
 /// edge, the merged vertex lies on the sphere between, at the parameter where the new faces are
@@ -20,14 +20,15 @@ namespace curvdecim {
 /// quadrics.
 class InterpolatedSphereMetric {
  public:
-  InterpolatedSphereMetric(const WorkingMesh& mesh, const SphereParams& params)
-      : mesh_(mesh), params_(params) {}
+  InterpolatedSphereMetric(const WorkingMesh& mesh, const SpherePlan& plan)
+      : mesh_(mesh), plan_(plan) {}
 
   void initialize(const Parallel& parallel) {
-    sphere_ = VertexSpheres(mesh_, params_, parallel).fit();
+    sphere_ = VertexSpheres(mesh_, plan_.kernel, plan_.quadrics.feature_angle, parallel).fit();
     held_.resize(sphere_.size());
-    ConstraintQuadrics(mesh_, params_, PlaneWeight::Area)
-        .build(parallel, [&](int v, const Symmetric3& plane) { held_[v].a += plane; });
+    ConstraintQuadrics(mesh_, plan_.quadrics).build(parallel, [&](int v, const Symmetric3& plane) {
+      held_[v].a += plane;
+    });
   }
 
   std::optional<Candidate> evaluate(Edge edge, Allowed allowed, const Vector3&) const {
@@ -43,8 +44,8 @@ class InterpolatedSphereMetric {
 
   void release(const EdgeNeighborhood&, const std::vector<FacePlane>&) {}
 
-  void merge(const Collapse& collapse, const EdgeNeighborhood&) {
-    const auto [keep, gone, keep_was, gone_was, now, t] = collapse;
+  void merge(const VertexMerge& merge, const EdgeNeighborhood&) {
+    const auto [keep, gone, keep_was, gone_was, now, t] = merge;
     sphere_[keep] = interpolated(sphere_[keep].with_origin_moved(now - keep_was),
                                  sphere_[gone].with_origin_moved(now - gone_was), t)
                         .normalised();
@@ -91,9 +92,9 @@ class InterpolatedSphereMetric {
     const double constraint = held_[edge.a].value(x - a) + held_[edge.b].value(x - b);
     const double weight = held_[edge.a].a.trace() + held_[edge.b].a.trace();
     const double sum =
-        energy.of(params_.energy) + planes_in_unit_of(params_.energy, constraint, weight);
+        energy.of(plan_.energy) + planes_in_unit_of(plan_.energy, constraint, weight);
     const double nothing = energy_of_distance(
-        params_.energy, QuadricMetric::rounding * (b - a).norm(), energy.area + weight);
+        plan_.energy, QuadricMetric::rounding * (b - a).norm(), energy.area + weight);
     return sum <= nothing ? 0.0 : sum;
   }
 
@@ -119,9 +120,9 @@ class InterpolatedSphereMetric {
   }
 
   const WorkingMesh& mesh_;
-  const SphereParams& params_;
+  const SpherePlan plan_;
   std::vector<AlgebraicSphere> sphere_;  // by vertex, about it
   std::vector<Quadric> held_;  // by vertex, about it: planes of boundaries and sharp edges
 };
 
-}  // namespace curvdecim
+}  // namespace curvdecim::detail

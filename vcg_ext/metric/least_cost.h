@@ -3,7 +3,7 @@
 
 #include "vcg_ext/geometry/quadric.h"
 
-namespace curvdecim {
+namespace curvdecim::detail {
 
 /// Two numbers that are computed with side by side.
 using Pair = double __attribute__((vector_size(16)));
@@ -65,4 +65,4 @@ inline Pair least_costs(const VertexPair& p, const VertexPair& q, const CostScal
   return value <= nothing ? Pair{} : value;
 }
 
-}  // namespace curvdecim
+}  // namespace curvdecim::detail

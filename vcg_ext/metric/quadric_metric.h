@@ -7,14 +7,14 @@
 #include <utility>
 #include <vector>
 
-#include "vcg_ext/metric/candidate.h"
+#include "vcg_ext/mesh/edge_neighborhood.h"
 #include "vcg_ext/metric/constraint_quadrics.h"
 #include "vcg_ext/metric/least_cost.h"
-#include "vcg_ext/metric/plane_quadrics.h"
-#include "vcg_ext/parallel.h"
-#include "vcg_ext/placement/place.h"
+#include "vcg_ext/metric/metric.h"
+#include "vcg_ext/metric/placement.h"
+#include "vcg_ext/parallel/parallel.h"
 
-namespace curvdecim {
+namespace curvdecim::detail {
 
 /// Quadric error @cite garland1997: the squared distances of the merged vertex to the planes around
 /// both ends. Accumulated, a vertex carries the planes of all that was merged into it. Memoryless
@@ -22,23 +22,16 @@ namespace curvdecim {
 /// remembers the input a little (docs/decisions/memoryless-quadrics.md).
 class QuadricMetric {
  public:
-  QuadricMetric(const WorkingMesh& mesh, const EdgeCollapseParams& params)
-      : QuadricMetric(mesh, params, params) {}
-
-  QuadricMetric(const WorkingMesh& mesh, const DecimationParams& params,
-                const QuadricParams& quadrics)
-      : mesh_(mesh),
-        params_(params),
-        plane_weight_(quadrics.plane_weight),
-        placement_(quadrics.placement),
-        memoryless_(quadrics.quadrics == Quadrics::Memoryless) {}
+  QuadricMetric(const WorkingMesh& mesh, const QuadricPlan& plan)
+      : mesh_(mesh), plan_(plan), memoryless_(plan.quadrics == Quadrics::Memoryless) {}
 
   /// factors: by vertex, on the weight of planes; a face has the mean of its corners'. None: 1.
   void initialize(const Parallel& parallel, std::vector<float> factors = {}) {
     factor_ = std::move(factors);
     sum_.resize(mesh_.position.size());
-    ConstraintQuadrics(mesh_, params_, plane_weight_)
-        .build(parallel, [&](int v, const Symmetric3& plane) { sum_[v].a += plane; });
+    ConstraintQuadrics(mesh_, plan_).build(parallel, [&](int v, const Symmetric3& plane) {
+      sum_[v].a += plane;
+    });
     parallel.for_each(static_cast<int>(sum_.size()), [&](int v) {
       const Symmetric3 around = matrix_around(v), input = around + sum_[v].a * factor(v);
       sum_[v].a = memoryless_ ? input * memory + around + boundary(v) : input;
@@ -52,7 +45,7 @@ class QuadricMetric {
     const QuadricOfEdge q =
         sum_about_midpoint(sum_[edge.a].quadric(), sum_[edge.b].quadric(), half);
     const Placed placed =
-        place(q, half, allowed, placement_, volume_plane(edge, half, allowed, wings));
+        place(q, half, allowed, plan_.placement, volume_plane(edge, half, allowed, wings));
     double cost = placed.value;
     if (cost <= rounding * rounding * half.squaredNorm() * q.sum.a.trace()) cost = 0.0;
     if (placed.offset == -half) return Candidate{cost, a, 0.0};  // not rounded: the vertex itself
@@ -82,7 +75,7 @@ class QuadricMetric {
   /// volume, which moves a vertex along more than it lifts it.
   void estimate(int v, const std::vector<int>& others, std::vector<double>& costs) const {
     costs.resize(others.size());
-    if (placement_ != Placement::Optimal) return estimate_one_by_one(v, others, costs);
+    if (plan_.placement != Placement::Optimal) return estimate_one_by_one(v, others, costs);
     const Vector3& at = mesh_.position[v];
     const Quadric quadric = sum_[v].quadric();
     const VertexPair both(at, quadric, at, quadric);
@@ -112,15 +105,15 @@ class QuadricMetric {
       const int f = around.star()[i];
       const Symmetric3 lost = matrix(f);
       const Symmetric3 won =
-          plane_matrix(after[i], plane_weight_, factor_after(f, edge, merged_factor));
+          plane_matrix(after[i], plan_.plane_weight, factor_after(f, edge, merged_factor));
       for (int v : mesh_.connectivity.face(f))
         sum_[v].a += v == edge.a || v == edge.b ? lost * -1.0 : won - lost;
     }
   }
 
   /// After it: the merged vertex gets what its ends remember and the faces around it.
-  void merge(const Collapse& collapse, const EdgeNeighborhood& around) {
-    const auto [keep, gone, keep_was, gone_was, now, t] = collapse;
+  void merge(const VertexMerge& merge, const EdgeNeighborhood& around) {
+    const auto [keep, gone, keep_was, gone_was, now, t] = merge;
     sum_[keep] = Carried(sum_[keep].quadric().with_origin_moved(now - keep_was) +
                          sum_[gone].quadric().with_origin_moved(now - gone_was));
     if (!memoryless_) return;
@@ -158,9 +151,9 @@ class QuadricMetric {
     Quadric quadric() const { return {a, {b[0], b[1], b[2]}, c}; }
   };
 
-  /// Of the plane of face f, about any of its corners.
+  /// The matrix of the plane of face f, about any of its corners.
   Symmetric3 matrix(int f) const {
-    return plane_matrix(mesh_.plane[f], plane_weight_, factor_after(f, no_edge, 0.0));
+    return plane_matrix(mesh_.plane[f], plan_.plane_weight, factor_after(f, no_edge, 0.0));
   }
 
   /// The mean of the factors of face f's corners, if the edge's ends became one vertex.
@@ -184,12 +177,12 @@ class QuadricMetric {
 
   Symmetric3 boundary(int v) const {
     if (mesh_.kind[v] != VertexKind::Boundary) return {};
-    return boundary_matrix(mesh_, v, plane_weight_) * params_.boundary_weight;
+    return boundary_matrix(mesh_, v, plan_.plane_weight) * plan_.boundary_weight;
   }
 
   /// Around it a collapse changes no boundary, and no face falls onto another.
   bool is_inside(int v) const {
-    return params_.preserve_topology && mesh_.kind[v] == VertexKind::Interior;
+    return plan_.keeps_topology && mesh_.kind[v] == VertexKind::Interior;
   }
 
   void forget_current(const EdgeNeighborhood& around) {
@@ -219,7 +212,7 @@ class QuadricMetric {
   /// defined: on boundaries and curves.
   std::optional<VolumePlane> volume_plane(Edge edge, const Vector3& half, Allowed allowed,
                                           const Vector3& wings) const {
-    if (!memoryless_ || allowed != Allowed::Anywhere || placement_ != Placement::Optimal ||
+    if (!memoryless_ || allowed != Allowed::Anywhere || plan_.placement != Placement::Optimal ||
         mesh_.kind[edge.a] != VertexKind::Interior)
       return std::nullopt;
     const Vector3 a = area_vector_around(mesh_, edge.a), b = area_vector_around(mesh_, edge.b);
@@ -227,12 +220,10 @@ class QuadricMetric {
   }
 
   const WorkingMesh& mesh_;
-  const DecimationParams& params_;
-  const PlaneWeight plane_weight_;
-  const Placement placement_;
+  const QuadricPlan plan_;
   const bool memoryless_;
   std::vector<Carried> sum_;   // by vertex, about it; memoryless: of planes remembered and current
   std::vector<float> factor_;  // by vertex, or empty: on the weight of planes
 };
 
-}  // namespace curvdecim
+}  // namespace curvdecim::detail

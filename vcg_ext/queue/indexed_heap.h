@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace curvdecim {
+namespace curvdecim::detail {
 
 /// 4-ary minimum heap of (key, index) with at most one entry per index; equal keys leave in the
 /// order of the index, so that the sequence does not depend on the history. A default Key comes
@@ -92,4 +92,4 @@ class IndexedHeap {
   std::vector<int> slot_;  // by index
 };
 
-}  // namespace curvdecim
+}  // namespace curvdecim::detail

@@ -5,10 +5,10 @@
 #include <utility>
 #include <vector>
 
-#include "vcg_ext/connectivity/edge_neighborhood.h"
+#include "vcg_ext/mesh/edge_neighborhood.h"
 #include "vcg_ext/mesh/working_mesh.h"
 
-namespace curvdecim {
+namespace curvdecim::detail {
 
 /// Edges of one face.
 inline std::vector<Edge> border_edges(const WorkingMesh& mesh) {
@@ -39,4 +39,4 @@ struct BorderCurve {
   double length(int e) const { return (position[edges[e].b] - position[edges[e].a]).norm(); }
 };
 
-}  // namespace curvdecim
+}  // namespace curvdecim::detail

@@ -4,13 +4,13 @@
 #include <optional>
 #include <vector>
 
-#include "vcg_ext/geometry/triangle_tree.h"
-#include "vcg_ext/parallel.h"
+#include "vcg_ext/parallel/parallel.h"
 #include "vcg_ext/refine/border_curve.h"
 #include "vcg_ext/refine/input_surface.h"
 #include "vcg_ext/refine/match.h"
+#include "vcg_ext/refine/triangle_tree.h"
 
-namespace curvdecim {
+namespace curvdecim::detail {
 
 /// Samples of the boundaries of the mesh and of the input, each with the nearest point of the
 /// other's boundary.
@@ -82,4 +82,4 @@ class BorderSamples {
   std::vector<std::vector<Match>> of_edge_;  // by edge of the mesh
 };
 
-}  // namespace curvdecim
+}  // namespace curvdecim::detail

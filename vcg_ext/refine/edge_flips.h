@@ -7,14 +7,14 @@
 #include <tuple>
 #include <vector>
 
-#include "vcg_ext/mesh/wedge_texture.h"
+#include "vcg_ext/attributes/wedge_texture.h"
 #include "vcg_ext/mesh/working_mesh.h"
-#include "vcg_ext/parallel.h"
+#include "vcg_ext/parallel/parallel.h"
 #include "vcg_ext/refine/input_samples.h"
 #include "vcg_ext/refine/mesh_samples.h"
 #include "vcg_ext/refine/move_guard.h"
 
-namespace curvdecim {
+namespace curvdecim::detail {
 
 /// Flips edges where the other diagonal of the two faces lies closer to the input, measured by the
 /// samples of both @cite hoppe1993. The best first; flips of one pass share no vertex.
@@ -40,7 +40,7 @@ class EdgeFlips {
   }
 
  private:
-  /// Of the edge from a to b between f = (a, b, c) and g = (b, a, d).
+  /// A flip of the edge from a to b between f = (a, b, c) and g = (b, a, d).
   struct Flip {
     int f = -1, g = -1, a = -1, b = -1, c = -1, d = -1;
     float gain = 0.0f;
@@ -107,7 +107,7 @@ class EdgeFlips {
     return {f, g, a, b, connectivity.third_vertex(f, a, b), connectivity.third_vertex(g, a, b)};
   }
 
-  /// Of the error; 0 where the edge is not to be flipped.
+  /// How much of the error the flip takes off; 0 where the edge is not to be flipped.
   double gain(const Flip& flip, const std::vector<int>& near) const {
     if (flip.g < 0) return 0.0;
     const double before = error(flip);
@@ -226,4 +226,4 @@ class EdgeFlips {
   WedgeTexture* wedges_;
 };
 
-}  // namespace curvdecim
+}  // namespace curvdecim::detail

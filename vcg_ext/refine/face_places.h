@@ -7,7 +7,7 @@
 
 #include "vcg_ext/geometry/closest_point.h"
 
-namespace curvdecim {
+namespace curvdecim::detail {
 
 /// Where on a face samples may lie: at its corners, and at the centres of its parts where its edges
 /// are cut into 1, 2, 3 ... pieces. A place is a number in the list of all of these.
@@ -24,7 +24,7 @@ class FacePlaces {
 
   static int of_corner(int corner) { return corner; }
 
-  /// Of the cuts * cuts parts.
+  /// The first of the places of cuts * cuts parts.
   int first_of_parts(int cuts) const { return first_[cuts - 1]; }
 
  private:
@@ -49,4 +49,4 @@ inline int cuts_for(double area, double part, int most) {
   return static_cast<int>(std::lround(std::clamp(std::sqrt(area / part), 1.0, double(most))));
 }
 
-}  // namespace curvdecim
+}  // namespace curvdecim::detail

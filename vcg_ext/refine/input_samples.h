@@ -5,12 +5,12 @@
 #include <cstdint>
 #include <vector>
 
-#include "vcg_ext/parallel.h"
+#include "vcg_ext/parallel/parallel.h"
 #include "vcg_ext/refine/face_places.h"
 #include "vcg_ext/refine/input_surface.h"
 #include "vcg_ext/refine/match.h"
 
-namespace curvdecim {
+namespace curvdecim::detail {
 
 /// Samples of the input, each with the nearest point of the mesh: they tell how far the input is
 /// from the mesh.
@@ -139,4 +139,4 @@ class InputSamples {
   std::vector<int> begin_, by_face_;  // samples by the face of their match
 };
 
-}  // namespace curvdecim
+}  // namespace curvdecim::detail

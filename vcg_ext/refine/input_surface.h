@@ -4,22 +4,39 @@
 #include <utility>
 #include <vector>
 
-#include "vcg_ext/connectivity/edge_neighborhood.h"
-#include "vcg_ext/curvature/curvature_field.h"
-#include "vcg_ext/curvature/curvature_weight.h"
+#include "vcg_ext/collapse/collapse_plan.h"
 #include "vcg_ext/mesh/working_mesh.h"
-#include "vcg_ext/parallel.h"
-#include "vcg_ext/params.h"
+#include "vcg_ext/metric/error_weights.h"
+#include "vcg_ext/parallel/parallel.h"
 #include "vcg_ext/refine/border_curve.h"
 
-namespace curvdecim {
+namespace curvdecim::detail {
 
-/// The input as it was before the collapses, in the box of diagonal 1.
-struct InputSurface {
+/// What the refinement keeps of the input while the mesh is decimated: no more than it needs.
+struct InputCopy {
   std::vector<Vector3> position;  // by vertex
-  TriangleConnectivity connectivity;
+  std::vector<Face> faces;
   std::vector<float> weight;  // by face: how much its error counts, 1 in the mean
   std::vector<Edge> border;   // edges of one face
+
+  Triangle triangle(int f) const {
+    const auto [a, b, c] = faces[f];
+    return {position[a], position[b], position[c]};
+  }
+};
+
+/// The input as a surface, in the box of diagonal 1.
+struct InputSurface {
+  std::vector<Vector3> position;
+  TriangleConnectivity connectivity;
+  std::vector<float> weight;
+  std::vector<Edge> border;
+
+  explicit InputSurface(InputCopy copy)
+      : position(std::move(copy.position)),
+        connectivity(std::move(copy.faces), static_cast<int>(position.size())),
+        weight(std::move(copy.weight)),
+        border(std::move(copy.border)) {}
 
   int face_count() const { return connectivity.face_slots(); }
   Triangle triangle(int f) const {
@@ -35,52 +52,34 @@ inline double total_area(const InputSurface& surface) {
   return sum;
 }
 
-/// By vertex: how much an error there counts, as it does in the collapses, but for its importance.
-inline std::vector<double> metric_weights(const WorkingMesh& mesh, const EdgeCollapseParams& params,
-                                          double diagonal, const Parallel& parallel) {
-  std::vector<double> weights(mesh.position.size(), 1.0);
-  if (params.metric != Metric::CurvatureWeighted) return weights;
-  const CurvatureField field = curvature_field(mesh, params, parallel);
-  const CurvatureWeight weight = curvature_weight(params, field, diagonal);
-  for (std::size_t v = 0; v < weights.size(); ++v) {
-    const double saturation = weight.saturation(field.value[v]);
-    weights[v] = weight.of_edge(saturation, saturation);
-  }
-  return weights;
-}
-
-inline std::vector<double> metric_weights(const WorkingMesh& mesh, const SphereParams&, double,
-                                          const Parallel&) {
-  return std::vector<double>(mesh.position.size(), 1.0);
-}
-
-/// The mean of the corners' weights, over the mean of the surface.
-inline void set_face_weights(const std::vector<double>& of_vertex, InputSurface& surface) {
+/// A face has the mean of its corners' weights, over the mean of the surface.
+inline void set_face_weights(const std::vector<double>& of_vertex, InputCopy& input) {
   double sum = 0.0, area = 0.0;
-  for (int f = 0; f < surface.face_count(); ++f) {
-    const auto [a, b, c] = surface.connectivity.face(f);
+  input.weight.reserve(input.faces.size());
+  for (std::size_t f = 0; f < input.faces.size(); ++f) {
+    const auto [a, b, c] = input.faces[f];
     const double weight = (of_vertex[a] + of_vertex[b] + of_vertex[c]) / 3.0;
-    surface.weight.push_back(static_cast<float>(weight));
-    const double face_area = surface.area(f);
+    input.weight.push_back(static_cast<float>(weight));
+    const double face_area = area_vector(input.triangle(static_cast<int>(f))).norm();
     sum += weight * face_area, area += face_area;
   }
-  for (float& weight : surface.weight)
+  for (float& weight : input.weight)
     weight = sum > 0.0 ? static_cast<float>(weight * (area / sum)) : 1.0f;
 }
 
-/// mesh: without collapses; diagonal: of the input in its own unit.
-template <class Params>
-InputSurface input_surface(WorkingMesh mesh, const Params& params, double diagonal,
-                           const Parallel& parallel) {
-  std::vector<double> weights = metric_weights(mesh, params, diagonal, parallel);
+/// mesh: before the first collapse.
+inline InputCopy copy_input(const WorkingMesh& mesh, const MetricPlan& metric,
+                            const Parallel& parallel) {
+  std::vector<double> weights = error_weights(mesh, metric, parallel);
   for (std::size_t v = 0; v < mesh.importance.size(); ++v) weights[v] *= mesh.importance[v];
-  InputSurface surface;
-  surface.weight.reserve(mesh.connectivity.face_slots());
-  surface.border = border_edges(mesh);
-  surface.position = std::move(mesh.position);
-  surface.connectivity = std::move(mesh.connectivity);
-  set_face_weights(weights, surface);
-  return surface;
+  InputCopy input;
+  input.position = mesh.position;
+  input.faces.reserve(mesh.connectivity.face_slots());
+  for (int f = 0; f < mesh.connectivity.face_slots(); ++f)
+    input.faces.push_back(mesh.connectivity.face(f));
+  input.border = border_edges(mesh);
+  set_face_weights(weights, input);
+  return input;
 }
 
-}  // namespace curvdecim
+}  // namespace curvdecim::detail

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "vcg_ext/geometry/triangle_tree.h"
 #include "vcg_ext/refine/surface_walk.h"
+#include "vcg_ext/refine/triangle_tree.h"
 
-namespace curvdecim {
+namespace curvdecim::detail {
 
 /// A point of a face of the mesh and the point of the input that belongs to it: one of them is the
 /// nearest to the other.
@@ -57,4 +57,4 @@ SurfacePoint nearest_on_sheet(const TriangleTree<Surface>& tree, const Vector3& 
   return found;
 }
 
-}  // namespace curvdecim
+}  // namespace curvdecim::detail

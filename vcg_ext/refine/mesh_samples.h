@@ -5,18 +5,18 @@
 #include <vector>
 
 #include "vcg_ext/mesh/working_mesh.h"
-#include "vcg_ext/parallel.h"
+#include "vcg_ext/parallel/parallel.h"
 #include "vcg_ext/refine/face_places.h"
 #include "vcg_ext/refine/input_surface.h"
 #include "vcg_ext/refine/match.h"
 
-namespace curvdecim {
+namespace curvdecim::detail {
 
 /// Samples of the mesh, each with the nearest point of the input: they tell how far the mesh is
 /// from the input.
 class MeshSamples {
  public:
-  /// Of one face; their number tells their places.
+  /// The samples of one face; their number tells their places.
   using OfFace = std::vector<Found>;
 
   MeshSamples(const InputSurface& input, const TriangleTree<InputSurface>& tree, double area,
@@ -28,7 +28,7 @@ class MeshSamples {
         part_(area / (per_face * mesh_faces)),
         of_face_(mesh_faces) {}
 
-  /// Of the mesh as it is now. near: by face, a face of the input near it, or SurfacePoint::none.
+  /// Matches the mesh as it is now. near: by face, an input face near it, or SurfacePoint::none.
   void match(const WorkingMesh& mesh, const std::vector<int>& near, const Parallel& parallel) {
     parallel.for_each(
         mesh.connectivity.face_slots(), [&](int f) { match_face(mesh, f, near[f]); },
@@ -115,4 +115,4 @@ class MeshSamples {
   std::vector<Found> of_vertex_;
 };
 
-}  // namespace curvdecim
+}  // namespace curvdecim::detail

@@ -5,25 +5,20 @@
 #include <cstdint>
 #include <vector>
 
-#include "vcg_ext/geometry/triangle_tree.h"
-#include "vcg_ext/guard/normal_flip.h"
-#include "vcg_ext/guard/triangle_shape.h"
+#include "vcg_ext/guard/limits.h"
 #include "vcg_ext/mesh/working_mesh.h"
-#include "vcg_ext/parallel.h"
-#include "vcg_ext/params.h"
+#include "vcg_ext/parallel/parallel.h"
 #include "vcg_ext/refine/input_surface.h"
+#include "vcg_ext/refine/triangle_tree.h"
 
-namespace curvdecim {
+namespace curvdecim::detail {
 
 /// How far vertices may step: no face turns far, folds back over the input, or becomes a needle.
 class MoveGuard {
  public:
   MoveGuard(const WorkingMesh& mesh, const InputSurface& input,
-            const TriangleTree<InputSurface>& tree, const DecimationParams& params)
-      : mesh_(mesh),
-        input_(input),
-        tree_(tree),
-        least_facing_(params.preserve_normal ? least_cosine(params.normal_angle) : -1.0) {}
+            const TriangleTree<InputSurface>& tree, const FaceLimits& limits)
+      : mesh_(mesh), input_(input), tree_(tree), least_facing_(least_cosine(limits, 1.0)) {}
 
   /// The positions after the steps, as far as they may be done. near: by face, a face of the input
   /// near it.
@@ -134,4 +129,4 @@ class MoveGuard {
   const double least_facing_;
 };
 
-}  // namespace curvdecim
+}  // namespace curvdecim::detail

@@ -6,12 +6,12 @@
 #include <utility>
 #include <vector>
 
-#include "vcg_ext/connectivity/edge_neighborhood.h"
-#include "vcg_ext/connectivity/triangle_connectivity.h"
 #include "vcg_ext/geometry/symmetric3.h"
-#include "vcg_ext/parallel.h"
+#include "vcg_ext/mesh/edge_neighborhood.h"
+#include "vcg_ext/mesh/triangle_connectivity.h"
+#include "vcg_ext/parallel/parallel.h"
 
-namespace curvdecim {
+namespace curvdecim::detail {
 
 /// What the samples of one face, or of one boundary edge, ask of its corners: part of the normal
 /// equations of a least-squares fit.
@@ -46,7 +46,7 @@ class CornerTies {
     }
   }
 
-  /// Of corner i and the one after it.
+  /// The tie of corner i and the one after it.
   Symmetric3 with_next(int i) const {
     const auto [xx, xy, xz, yy, yz, zz] = values_[i];
     return {xx, xy, xz, yy, yz, zz};
@@ -169,4 +169,4 @@ class NormalEquations {
   std::vector<Vector3> force_, scaled_force_;           // by vertex
 };
 
-}  // namespace curvdecim
+}  // namespace curvdecim::detail

@@ -3,12 +3,11 @@
 
 #include <vector>
 
-#include "vcg_ext/mesh/attribute_blend.h"
-#include "vcg_ext/mesh/wedge_texture.h"
+#include "vcg_ext/attributes/attribute_blend.h"
+#include "vcg_ext/attributes/wedge_texture.h"
 #include "vcg_ext/mesh/working_mesh.h"
-#include "vcg_ext/parallel.h"
-#include "vcg_ext/params.h"
-#include "vcg_ext/progress_meter.h"
+#include "vcg_ext/parallel/parallel.h"
+#include "vcg_ext/parallel/progress_meter.h"
 #include "vcg_ext/refine/border_samples.h"
 #include "vcg_ext/refine/edge_flips.h"
 #include "vcg_ext/refine/input_samples.h"
@@ -17,15 +16,15 @@
 #include "vcg_ext/refine/move_guard.h"
 #include "vcg_ext/refine/vertex_fit.h"
 
-namespace curvdecim {
+namespace curvdecim::detail {
 
 /// Moves vertices and flips edges of a decimated mesh, so that it and the input come closer to each
 /// other; the numbers of vertices and faces stay @cite hoppe1993:
 ///
 ///   a sweep:
 ///     match samples of the input with their nearest points of the mesh,
-///       and samples of the mesh with theirs of the input      (samples, geometry/triangle_tree.h)
-///     but in the first sweep: flip the edges that lower the error          (edge_flips.h)
+///       and samples of the mesh with theirs of the input               (samples, triangle_tree.h)
+///     flip the edges that lower the error                                  (edge_flips.h)
 ///     steps of all vertices that fit the samples best                      (vertex_fit.h)
 ///     shorten the steps that would spoil or fold a face                    (move_guard.h)
 ///
@@ -35,7 +34,7 @@ class Refinement {
  public:
   /// mesh: without gaps in its numbers; input: what the mesh was before the collapses; wedges: of
   /// the mesh, or nullptr.
-  Refinement(WorkingMesh& mesh, const InputSurface& input, const DecimationParams& params,
+  Refinement(WorkingMesh& mesh, const InputSurface& input, const CollapsePlan& plan,
              WedgeTexture* wedges, const Parallel& parallel)
       : mesh_(mesh),
         input_(input),
@@ -48,8 +47,8 @@ class Refinement {
         mesh_tree_(mesh, face_count(), parallel),
         of_input_(input, area_, face_count()),
         of_mesh_(input, input_tree_, area_, face_count()),
-        of_border_(input, mesh, border_share * params.boundary_weight, limits_, parallel),
-        guard_(mesh, input, input_tree_, params),
+        of_border_(input, mesh, border_share * plan.boundary_weight, limits_, parallel),
+        guard_(mesh, input, input_tree_, plan.limits.faces),
         near_(face_count(), SurfacePoint::none) {}
 
   /// Throws CancelRequest.
@@ -139,4 +138,4 @@ class Refinement {
   std::vector<int> near_;  // by face of the mesh: a face of the input near it
 };
 
-}  // namespace curvdecim
+}  // namespace curvdecim::detail

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "vcg_ext/connectivity/triangle_connectivity.h"
-#include "vcg_ext/geometry/triangle_tree.h"
+#include "vcg_ext/mesh/triangle_connectivity.h"
+#include "vcg_ext/refine/triangle_tree.h"
 
-namespace curvdecim {
+namespace curvdecim::detail {
 
 /// True if face f touches the point with these weights on `face`: has the corner that it is, or
 /// both ends of the edge that it is on. Inside a face no other does.
@@ -36,4 +36,4 @@ SurfacePoint walk_to_nearest(const Surface& surface, const Vector3& p, int start
   return best;
 }
 
-}  // namespace curvdecim
+}  // namespace curvdecim::detail

@@ -5,13 +5,13 @@
 #include <vector>
 
 #include "vcg_ext/mesh/working_mesh.h"
-#include "vcg_ext/parallel.h"
+#include "vcg_ext/parallel/parallel.h"
 #include "vcg_ext/refine/border_samples.h"
 #include "vcg_ext/refine/input_samples.h"
 #include "vcg_ext/refine/mesh_samples.h"
 #include "vcg_ext/refine/normal_equations.h"
 
-namespace curvdecim {
+namespace curvdecim::detail {
 
 /// The steps of the vertices that lower the squared distances of all samples most, connectivity
 /// and matches as they are @cite hoppe1993. Along the line to its match a sample counts in full,
@@ -93,4 +93,4 @@ class VertexFit {
   const Parallel& parallel_;
 };
 
-}  // namespace curvdecim
+}  // namespace curvdecim::detail

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Parameters that several filters have.
+#pragma once
+
+#include <optional>
+
+#include "filter_curvdecim/table/parameter_row.h"
+#include "vcg_ext/params.h"
+
+namespace curvdecim::glue {
+
+inline Value half_of_the_faces(const MeshFacts& mesh) {
+  return (mesh.selected_faces > 0 ? mesh.selected_faces : mesh.faces) / 2;
+}
+
+inline Value are_faces_selected(const MeshFacts& mesh) { return mesh.selected_faces > 0; }
+
+template <class P>
+ParameterRow<P> target_faces_row(
+    const ParameterText& text =
+        {"Stop at this many faces; with <i>Simplify only selected faces</i>, at this many selected "
+         "faces. A last step removes two faces at once, so the result may have one face less. 0: "
+         "as few as the other parameters allow, for example up to <i>Maximum error</i>.",
+         "Stop at this many faces (selected faces, if only those may change)."},
+    const std::optional<MeshDefault>& mesh_default = MeshDefault{
+        half_of_the_faces, "half of the faces, or of the selected ones if there are any"}) {
+  return row<P>(&P::target_faces, "TargetFaceNum", "Target number of faces", text, mesh_default);
+}
+
+template <class P>
+ParameterRow<P> target_fraction_row() {
+  return row<P>(
+      &P::target_fraction, "TargetPerc", "Fraction of the faces (0..1; 0: not used)",
+      {"0.2 keeps a fifth of the faces, of the selected ones with <i>Simplify only selected "
+       "faces</i>. 0: not used; otherwise it wins over <i>Target number of faces</i>.",
+       "0.2 keeps a fifth of the faces. Wins over the number of faces."});
+}
+
+template <class P>
+ParameterRow<P> target_vertices_row() {
+  return row<P>(
+      &P::target_vertices, "TargetVertNum", "Target number of vertices (0: not used)",
+      {"Stop at this many vertices of the whole mesh. 0: not used; otherwise it wins over "
+       "<i>Target number of faces</i>.",
+       "Stop at this many vertices. Wins over the number of faces."});
+}
+
+template <class P>
+ParameterRow<P> max_error_row() {
+  return row<P>(
+      &P::max_error, "MaxError", "Maximum error (0: no bound)",
+      {"No point of the result is further from the original surface than this, and no point of the "
+       "original further from the result. Given as a length or as per cent of the bounding box's "
+       "diagonal. Together with a target, whichever comes first stops. 0: no bound.",
+       "No point of either surface is further than this from the other."});
+}
+
+/// The targets of a decimation step by step.
+template <class P>
+ParameterRows<P> target_rows() {
+  return {target_faces_row<P>(), target_fraction_row<P>(), target_vertices_row<P>(),
+          max_error_row<P>()};
+}
+
+template <class P>
+ParameterRow<P> refine_sweeps_row(const ParameterText& text) {
+  return row<P>(&P::refine_sweeps, "RefineSweeps", "Refinement sweeps (preset Custom)", text);
+}
+
+template <class P>
+ParameterRow<P> preserve_boundary_row(
+    const ParameterText& text = {
+        "Vertices of open borders stay on the border's curve, and the error along it counts. "
+        "Switch off to let borders shrink.",
+        "Open borders stay on their curve."}) {
+  return row<P>(&P::preserve_boundary, "PreserveBoundary", "Preserve boundary of the mesh", text);
+}
+
+template <class P>
+ParameterRow<P> boundary_weight_row(
+    const ParameterText& text = {
+        "Weight of borders and sharp edges against the surface, 1 counting both alike. Raise it to "
+        "keep more vertices on them.",
+        "Of borders and sharp edges; more keeps more vertices on them."}) {
+  return row<P>(&P::boundary_weight, "BoundaryWeight", "Boundary preserving weight", text);
+}
+
+template <class P>
+ParameterRow<P> preserve_normal_row() {
+  return row<P>(
+      &P::preserve_normal, "PreserveNormal", "Preserve normal",
+      {"Refuse a step that turns a face by more than <i>Largest turn of a face</i>. Switch off "
+       "only when folded faces do not matter.",
+       "Up to the angle below."});
+}
+
+template <class P>
+ParameterRow<P> normal_angle_row() {
+  return row<P>(
+      &P::normal_angle, "NormalAngle", "Largest turn of a face (degrees)",
+      {"Used with <i>Preserve normal</i>. Less keeps the orientation of faces closer and may stop "
+       "before the target; above 90 faces may flip.",
+       "Less may stop before the target; above 90 faces may flip."});
+}
+
+template <class P>
+ParameterRow<P> preserve_topology_row() {
+  return row<P>(
+      &P::preserve_topology, "PreserveTopology", "Preserve topology",
+      {"Refuse a collapse that closes a hole, pinches a handle, joins parts or makes an edge of "
+       "three faces. With <i>Maximum error</i> such a collapse is always refused.",
+       "Keep holes, handles and parts."});
+}
+
+/// What an edge collapse refuses to do.
+template <class P>
+ParameterRows<P> collapse_guard_rows() {
+  return {preserve_boundary_row<P>(), boundary_weight_row<P>(), preserve_normal_row<P>(),
+          normal_angle_row<P>(), preserve_topology_row<P>()};
+}
+
+template <class P>
+ParameterRow<P> feature_angle_row(
+    const ParameterText& text = {
+        "An edge between faces whose normals differ by at least this is sharp, and is kept like a "
+        "border. 180: no edge is.",
+        "Edges with at least this angle between their faces are kept."}) {
+  return row<P>(&P::feature_angle, "FeatureAngle", "Feature angle (degrees; 180: no features)",
+                text);
+}
+
+template <class P>
+ParameterRow<P> selected_row() {
+  return row<P>(
+      &P::selected_only, "Selected", "Simplify only selected faces",
+      {"The rest of the mesh stays as it is, to the bit. The targets then count selected faces.",
+       "Targets count selected faces."},
+      MeshDefault{are_faces_selected, "true if faces are selected"});
+}
+
+template <class P>
+ParameterRow<P> quality_weight_row(
+    const ParameterText& text = {
+        "The quality of the vertices multiplies the cost: paint or compute a high quality on what "
+        "matters.",
+        "Vertex quality multiplies the cost."}) {
+  return row<P>(&P::quality_weight, "QualityWeight", "Weighted simplification", text);
+}
+
+template <class P>
+ParameterRow<P> threads_row() {
+  return row<P>(&P::threads, "Threads", "Number of threads (0: all cores)",
+                {"0: all cores. It never changes the result.", "It never changes the result."});
+}
+
+/// The end of the dialog of a decimation step by step.
+template <class P>
+ParameterRows<P> last_rows() {
+  return {selected_row<P>(), quality_weight_row<P>(), threads_row<P>()};
+}
+
+}  // namespace curvdecim::glue

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "filter_curvdecim/filters/common_results.h"
+#include "filter_curvdecim/filters/common_rows.h"
+#include "filter_curvdecim/filters/curvature_rows.h"
+#include "filter_curvdecim/table/filter.h"
+#include "filter_curvdecim/table/joined.h"
+#include "filter_curvdecim/table/references.h"
+#include "vcg_ext/edge_collapse.h"
+
+namespace curvdecim::glue {
+
+/// Edge collapse by quadrics and curvature.
+struct EdgeCollapseFilter {
+  using Params = EdgeCollapseParams;
+  using Report = DecimationReport;
+
+  template <class MeshType>
+  static Report run(MeshType& mesh, const Params& params, const Progress& progress) {
+    return decimate_edge_collapse(mesh, params, progress);
+  }
+
+  static Changes changed(const Report& report) { return change_of_shape(report); }
+
+  static About about() {
+    constexpr Reference yao = {
+        "L. Yao, S. Huang, H. Xu, P. Li",
+        "Quadratic error metric mesh simplification algorithm based on discrete curvature",
+        "Mathematical Problems in Engineering, 2015"};
+    return {
+        "Simplification: Curvature-Enhanced Edge Collapse",
+        "meshing_decimation_curvature_edge_collapse",
+        Category::Remeshing,
+        {true, false},
+        // One line of the highest dialog: another would push its buttons off a full HD screen.
+        "Collapse edges by quadrics (Garland, Heckbert) and keep what is curved, borders and sharp "
+        "edges. <i>Curvature Importance</i> shows what is protected." +
+            bibliography({pellizzoni_savio, yao})};
+  }
+
+  static ParameterRows<Params> parameters() {
+    return joined<ParameterRow<Params>>({target_rows<Params>(),
+                                         {preset_row(), metric_row()},
+                                         curvature_rows<Params>(),
+                                         additive_rows(),
+                                         custom_quadric_rows(),
+                                         custom_run_rows(),
+                                         collapse_guard_rows<Params>(),
+                                         {pair_distance_row(), feature_angle_row<Params>()},
+                                         last_rows<Params>()});
+  }
+
+  static ResultRows<Report, Params> results() {
+    const auto paired = [](const Report&, const Params& params) {
+      return params.pair_distance > 0.0;
+    };
+    return joined<ResultRow<Report, Params>>(
+        {count_results<Report, Params>(),
+         {bound_result<Report, Params>(),
+          only_if(paired, result<Report, Params>(
+                              "pairs_contracted", "pairs",
+                              "unconnected vertices that merged; only with `PairDistance`",
+                              &Report::pairs_contracted))},
+         collapse_results<Report, Params>()});
+  }
+
+ private:
+  static ParameterRow<Params> preset_row() {
+    return enum_row<Params>(
+        &Params::preset, "Preset", "Preset",
+        "Speed against quality, as a named setting of <i>Quadrics</i>, <i>Weight of a plane</i>, "
+        "<i>Placement</i>, <i>Scheduler</i> and <i>Refinement sweeps</i>. The metric and its "
+        "weights stay as given.",
+        {{Preset::Fast, "", "memoryless quadrics, few rounds: the least time"},
+         {Preset::Balanced, "", "more rounds: lower error"},
+         {Preset::Best, "slower",
+          "the same, then the result is fitted to the input: slower, a sixth less error"},
+         {Preset::Custom, "as below", "every parameter as given below"}});
+  }
+
+  static ParameterRow<Params> metric_row() {
+    return enum_row<Params>(
+        &Params::metric, "Metric", "Cost of an edge", "What decides which edge is collapsed next.",
+        {{Metric::Quadric, "plain",
+          "squared distance to the planes of the faces around (Garland and Heckbert)"},
+         {Metric::CurvatureWeighted, "",
+          "the same, times a factor that grows with the curvature (Pellizzoni and Savio)"},
+         {Metric::CurvatureAdditive, "plus bend",
+          "the same, plus a term that grows with the bend at the edge (Yao and others)"}});
+  }
+
+  static ParameterRows<Params> additive_rows() {
+    return {
+        row<Params>(
+            &Params::lambda, "Lambda", "Weight of the additive term (lambda)",
+            {"CurvatureAdditive adds lambda times the bend at the edge to the cost, with lengths "
+             "relative to the bounding box's diagonal. More lowers the largest error and raises "
+             "the mean one a little. 0 is plain quadrics.",
+             "Weight of the bend at the edge; 0 is plain quadrics."}),
+        enum_row<Params>(
+            &Params::curvature_term, "CurvatureTerm", "Reading of the additive term",
+            "The printed formula has two readings; only CurvatureAdditive uses it.",
+            {{CurvatureTerm::Melax, "turn of the faces around",
+              "edge length times the largest turn from the edge's own faces to a face around: the "
+              "intent"},
+             {CurvatureTerm::Literal, "the formula as printed",
+              "the formula as printed, which amounts to the edge length"}})};
+  }
+
+  static ParameterRows<Params> custom_quadric_rows() {
+    constexpr const char* help = "Used with the preset Custom.";
+    return {enum_row<Params>(&Params::quadrics, "Quadrics", "Quadrics (preset Custom)", help,
+                             {{Quadrics::Memoryless, "lower error",
+                               "computed from the current mesh: lower error (Lindstrom and Turk)"},
+                              {Quadrics::Accumulated, "faster",
+                               "summed up along the collapses: faster (Garland and Heckbert)"}}),
+            enum_row<Params>(
+                &Params::plane_weight, "PlaneWeight", "Weight of a plane (preset Custom)", help,
+                {{PlaneWeight::Area, "by the area of the face",
+                  "a plane counts by the area of its face: independent of the tessellation"},
+                 {PlaneWeight::Unit, "all alike, as in the papers",
+                  "every plane counts 1, as in the papers"}}),
+            enum_row<Params>(
+                &Params::placement, "Placement", "Placement (preset Custom)", help,
+                {{Placement::Optimal, "free", "where the quadric error is least"},
+                 {Placement::Line, "along", "where it is least on the edge"},
+                 {Placement::EndpointOrMidpoint, "", "the best of both ends and the midpoint"},
+                 {Placement::HalfEdge, "an end",
+                  "the better end: the result has original vertices only"}})};
+  }
+
+  static ParameterRows<Params> custom_run_rows() {
+    return {
+        enum_row<Params>(
+            &Params::scheduler, "Scheduler", "Scheduler (preset Custom)",
+            "Used with the preset Custom.",
+            {{Scheduler::Rounds, "",
+              "many collapses at once on all cores, the cheapest that lie apart"},
+             {Scheduler::Lazy, "strict order",
+              "one by one, cheapest first; costs are brought up to date when they come up"},
+             {Scheduler::Eager, "lower error",
+              "one by one, cheapest first; costs around are brought up to date at once"},
+             {Scheduler::FewRounds, "", "as Rounds, with more collapses a round"}}),
+        refine_sweeps_row<Params>(
+            {"After the collapses each sweep moves the vertices to where both surfaces come "
+             "closest and flips edges where that helps; the number of faces stays. 0: none, and "
+             "none with <i>Maximum error</i> or the placement HalfEdge. Used with the preset "
+             "Custom; Best has 3.",
+             "Fits the result to the input; Best has 3."})};
+  }
+
+  static ParameterRow<Params> pair_distance_row() {
+    return row<Params>(
+        &Params::pair_distance, "PairDistance", "Join what is closer than (0: nothing)",
+        {"Two vertices that no edge connects may merge, too, where they were closer than this in "
+         "the input: parts join and gaps close, and many small parts become few instead of "
+         "vanishing (Garland and Heckbert). Given as a length or as per cent of the bounding box's "
+         "diagonal. Turns <i>Preserve topology</i> off, and the presets to one step at a time; "
+         "edges of three faces may result. Not together with <i>Maximum error</i>. 0: only edges "
+         "collapse.",
+         "Turns <i>Preserve topology</i> off."});
+  }
+};
+
+}  // namespace curvdecim::glue

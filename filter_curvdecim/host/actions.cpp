@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "filter_curvdecim/host/actions.h"
+
+#include <algorithm>
+#include <string>
+
+#include "filter_curvdecim/filters/all_filters.h"
+#include "filter_curvdecim/host/rich_parameters.h"
+#include "vcg_ext/errors.h"
+
+namespace curvdecim::glue {
+namespace {
+
+constexpr int quality_and_color = MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR;
+
+/// The selection counters of the host's mesh are not kept up to date by vcglib.
+template <class Elements>
+int count_selected(const Elements& elements) {
+  return static_cast<int>(std::count_if(elements.begin(), elements.end(), [](const auto& element) {
+    return !element.IsD() && element.IsS();
+  }));
+}
+
+MeshFacts facts_of(const MeshModel* mesh) {
+  if (!mesh) return {};
+  const CMeshO& cm = mesh->cm;
+  return {cm.fn, count_selected(cm.face),
+          cm.bbox.IsNull() ? 0.0 : static_cast<double>(cm.bbox.Diag())};
+}
+
+Progress progress_of(vcg::CallBackPos* callback) {
+  if (!callback) return {};
+  return [callback](int percent, const char* stage) { return callback(percent, stage); };
+}
+
+/// Brings up to date what the host keeps about a mesh beside the mesh.
+void refresh(MeshModel& mesh, const Changes& changed) {
+  if (changed.shape) {
+    mesh.clearDataMask(MeshModel::MM_FACEFACETOPO | MeshModel::MM_VERTFACETOPO);
+    mesh.cm.sfn = count_selected(mesh.cm.face);
+    mesh.cm.svn = count_selected(mesh.cm.vert);
+  }
+  if (changed.quality_and_color) mesh.updateDataMask(quality_and_color);
+}
+
+}  // namespace
+
+const std::vector<Action>& actions() {
+  static const std::vector<Action> all = AllFilters::filters<CMeshO>();
+  return all;
+}
+
+const Action& action_of(int number) {
+  if (number < 0 || number >= static_cast<int>(actions().size()))
+    throw InputError("This plugin has no filter number " + std::to_string(number) + ".");
+  return actions()[number];
+}
+
+HostFilter::FilterClass menu_class(const Action& action) {
+  switch (action.about.category) {
+    case Category::Remeshing: return HostFilter::Remeshing;
+    case Category::QualityMeasure:
+      return HostFilter::FilterClass(HostFilter::Quality | HostFilter::VertexColoring);
+  }
+  return HostFilter::Generic;
+}
+
+int postcondition(const Action& action) {
+  int mask = MeshModel::MM_NONE;
+  if (action.about.may_change.shape) mask |= MeshModel::MM_GEOMETRY_AND_TOPOLOGY_CHANGE;
+  if (action.about.may_change.quality_and_color) mask |= quality_and_color;
+  return mask;
+}
+
+RichParameterList default_parameters(const Action& action, const MeshModel* mesh) {
+  return rich_parameters(action.parameters, facts_of(mesh));
+}
+
+Outcome apply(const Action& action, MeshModel* mesh, const RichParameterList& parameters,
+              vcg::CallBackPos* callback) {
+  if (!mesh) throw InputError("There is no current mesh; load a triangle mesh first.");
+  const auto values = read_values(action.parameters, parameters, facts_of(mesh));
+  const Outcome outcome = action.run(mesh->cm, values, progress_of(callback));
+  refresh(*mesh, outcome.changed);
+  return outcome;
+}
+
+}  // namespace curvdecim::glue

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The filters as a host sees them: actions with a number, which is the place in the list.
+#pragma once
+
+#include <vector>
+
+#include "filter_curvdecim/host/host_api.h"
+#include "filter_curvdecim/table/filter.h"
+
+namespace curvdecim::glue {
+
+using Action = Filter<CMeshO>;
+
+const std::vector<Action>& actions();
+
+const Action& action_of(int number);
+
+HostFilter::FilterClass menu_class(const Action& action);
+
+/// What a mesh must have; as below, a mask of MeshModel::MeshElement.
+constexpr int precondition = MeshModel::MM_FACENUMBER;
+
+/// What may have changed afterwards.
+int postcondition(const Action& action);
+
+/// Parameters with defaults for this mesh; `mesh` may be null.
+RichParameterList default_parameters(const Action& action, const MeshModel* mesh);
+
+/// Runs a filter on the current mesh of the host; `callback` may be null. Throws InputError; the
+/// mesh is then as it was.
+Outcome apply(const Action& action, MeshModel* mesh, const RichParameterList& parameters,
+              vcg::CallBackPos* callback);
+
+}  // namespace curvdecim::glue

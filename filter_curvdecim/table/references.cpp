@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "filter_curvdecim/table/references.h"
+
+namespace curvdecim::glue {
+
+std::string bibliography(std::initializer_list<Reference> references) {
+  std::string html = "<br>See:";
+  // The dialog of MeshLab 2020.09 does not scroll and would be too high for a screen: a line each.
+  for (const auto& [authors, title, source] : references)
+    html += "<br><nobr><i>" + std::string(authors) + "</i> <b>\"" + title + "\"</b> " + source +
+            ".</nobr>";
+  return html;
+}
+
+}  // namespace curvdecim::glue

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "vcg_ext/clustering/cell_search.h"
+#include "vcg_ext/clustering/manifold_edges.h"
+#include "vcg_ext/clustering/representatives.h"
+#include "vcg_ext/parallel/parallel.h"
+#include "vcg_ext/parallel/progress_meter.h"
+#include "vcg_ext/params.h"
+
+namespace curvdecim::detail {
+
+/// Everything that a vertex clustering needs to know, lengths in the box of diagonal 1. It is made
+/// once, from the parameters (run/plan_clustering.h), and never changes.
+struct ClusteringPlan {
+  int target = 0;         ///< faces to keep; 0: the cells have the diameter
+  double diameter = 0.0;  ///< of a cell
+  Representative representative = Representative::Quadric;
+  MeanWeight mean_weight = MeanWeight::Area;
+  double boundary_weight = 1.0;
+  bool manifold_edges = false;  ///< drop faces until no edge has more than two
+};
+
+/// What a vertex counts; empty: 1.
+struct ClusteringWeights {
+  std::vector<double> mean;        // by vertex, above 0: in WeightedMean
+  std::vector<double> importance;  // by vertex, above 0: a factor on the planes
+};
+
+/// What a clustering leaves of a mesh.
+struct Clustering {
+  Clusters clusters;
+  Representatives representatives;
+};
+
+/// Makes one vertex of all in a cell of a grid @cite rossignac1993, ciolczyk:
+///
+///   grid <- cells of the given size, or of the size that leaves the target
+///   every vertex into its cell
+///   a face stays where its vertices are in three cells; one for each three
+///   ManifoldEdges? drop faces at edges with more than two
+///   one vertex a cell, at the representative
+class ClusteringOperator {
+ public:
+  ClusteringOperator(const FlatMesh& mesh, const ClusteringPlan& plan,
+                     const ClusteringWeights& weights, const Parallel& parallel)
+      : mesh_(mesh), plan_(plan), weights_(weights), parallel_(parallel) {}
+
+  /// Throws CancelRequest, and InputError where no face would be left.
+  Clustering run(ProgressMeter& progress) const {
+    progress.begin("Clustering vertices");
+    const auto cluster_at = [this](double size) { return faces_between_cells(size); };
+    std::optional<Clusters> clusters = plan_.target > 0
+                                           ? CellSearch(mesh_, plan_.target, cluster_at).run()
+                                           : faces_between_cells(plan_.diameter);
+    if (!clusters || clusters->faces.empty())
+      throw InputError(
+          "No face would be left: the cells are too large for the mesh. Choose a smaller "
+          "cell_size.",
+          {"cell_size"});
+    progress.set(0.5);
+    progress.ask();
+    Representatives representatives = represent(*clusters);
+    return {std::move(*clusters), std::move(representatives)};
+  }
+
+ private:
+  Clusters faces_between_cells(double diameter) const {
+    Clusters clusters = cluster(mesh_, diameter, parallel_);
+    if (plan_.manifold_edges) drop_crowded(clusters);
+    return clusters;
+  }
+
+  Representatives represent(const Clusters& clusters) const {
+    const RepresentativeSearch search(mesh_, clusters, parallel_);
+    switch (plan_.representative) {
+      case Representative::Quadric:
+        return search.quadric_minima(plan_.boundary_weight, weights_.importance);
+      case Representative::Mean: return search.means({});
+      case Representative::WeightedMean: return search.means(weights_.mean);
+      case Representative::Median: return search.medians();
+      case Representative::CellCenter: break;
+    }
+    return search.centers();
+  }
+
+  void drop_crowded(Clusters& clusters) const {
+    std::vector<Face> staying;
+    for (const Face& face : mesh_.staying)
+      if (face[0] >= 0 && face[1] >= 0 && face[2] >= 0) staying.push_back(clusters.cells_of(face));
+    const std::vector<bool> kept = ManifoldEdges(clusters.faces, staying).run();
+    std::vector<CellFace> left;
+    for (std::size_t f = 0; f < kept.size(); ++f)
+      if (kept[f]) left.push_back(clusters.faces[f]);
+    clusters.crowded = static_cast<int>(clusters.faces.size() - left.size());
+    clusters.faces.swap(left);
+  }
+
+  const FlatMesh& mesh_;
+  const ClusteringPlan& plan_;
+  const ClusteringWeights& weights_;
+  const Parallel& parallel_;
+};
+
+}  // namespace curvdecim::detail

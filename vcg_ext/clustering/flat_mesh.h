@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "vcg_ext/geometry/triangle.h"
+#include "vcg_ext/geometry/unit_box.h"
+#include "vcg_ext/mesh/triangle_connectivity.h"
+
+namespace curvdecim::detail {
+
+/// What a vertex is to the faces that may change.
+enum class VertexRole : std::uint8_t {
+  Unused,  ///< no such face uses it
+  Free,
+  Fixed,  ///< a face that must stay uses it, too
+};
+
+/// The faces of the host's mesh that may change and their vertices, under the host's own indices:
+/// for operators that go over all elements once and need no adjacency.
+struct FlatMesh {
+  static constexpr Face no_face = {-1, -1, -1};
+
+  std::vector<Vector3> position;  // by vertex, in the unit box; set where it is in use
+  std::vector<VertexRole> role;   // by vertex
+  std::vector<Face> faces;        // by face; no_face: it is deleted or must stay
+  std::vector<Face> staying;      // the living faces that must stay
+  int face_count = 0;             // of those that may change
+  UnitBox box;                    // of the vertices in use
+  Vector3 half_size;              // of their bounding box, in the unit box
+
+  static bool is_face(const Face& face) { return face[0] >= 0; }
+
+  Triangle triangle(const Face& face) const {
+    return {position[face[0]], position[face[1]], position[face[2]]};
+  }
+};
+
+/// The vertices that faces use which may change, ascending.
+inline std::vector<int> vertices_in_use(const FlatMesh& flat) {
+  std::vector<int> vertices;
+  for (std::size_t v = 0; v < flat.role.size(); ++v)
+    if (flat.role[v] != VertexRole::Unused) vertices.push_back(static_cast<int>(v));
+  return vertices;
+}
+
+}  // namespace curvdecim::detail

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cassert>
+#include <utility>
+
+#include "vcg_ext/collapse/collapse_plan.h"
+#include "vcg_ext/collapse/round_schedule.h"
+#include "vcg_ext/collapse/strict_schedule.h"
+
+namespace curvdecim::detail {
+
+/// Collapses edges of the mesh, the cheapest first, as far as the plan says:
+///
+///   collapse in rounds, on all cores, while they are worth while     (round_schedule.h)
+///   pair_distance? vertices that close are edges, too                (vertex_pairs.h)
+///   collapse the rest in strict order                                (strict_schedule.h)
+///
+/// MetricType: metric/metric.h. Throws CancelRequest, and InputError where there are too many
+/// pairs.
+template <class MetricType>
+Tally collapse_edges(WorkingMesh& mesh, MetricType& metric, const CollapsePlan& plan,
+                     CollapseObservers observers, const Parallel& parallel,
+                     ProgressMeter& progress) {
+  Tally tally;
+  CollapseOperator<MetricType> collapses(mesh, metric, plan.limits, std::move(observers));
+  HubRests<MetricType> rests(mesh, collapses);
+  metric.initialize(parallel);
+  progress.begin("Collapsing edges");
+  int next_number = 0;
+  if (const double share = plan.schedule.round_share; share > 0.0)
+    next_number =
+        RoundSchedule(mesh, collapses, rests, plan.stop, share, parallel).run(progress, tally);
+  if (plan.pair_distance > 0.0)
+    collapses.add_pairs(VertexPairs(mesh, plan.pair_distance, parallel, progress));
+  StrictSchedule(mesh, collapses, rests, plan.stop, plan.schedule.eager, next_number)
+      .run(parallel, progress, tally);
+  assert((mesh.connectivity.validate(), true));
+  return tally;
+}
+
+}  // namespace curvdecim::detail

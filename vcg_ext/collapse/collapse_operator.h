@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cassert>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "vcg_ext/collapse/collapse_observer.h"
+#include "vcg_ext/collapse/edge_queue.h"
+#include "vcg_ext/collapse/vertex_pairs.h"
+#include "vcg_ext/guard/collapse_guards.h"
+#include "vcg_ext/guard/collapse_rule.h"
+#include "vcg_ext/mesh/vertex_ring.h"
+#include "vcg_ext/metric/metric.h"
+
+namespace curvdecim::detail {
+
+/// Evaluates edges, asks the guards, does single collapses: what every schedule shares. Calls that
+/// look may run at the same time, and so may collapses whose neighbourhoods share no vertex.
+/// MetricType: metric/metric.h.
+template <class MetricType>
+class CollapseOperator {
+  static_assert(require_metric<MetricType>());
+
+ public:
+  static constexpr int hub = 64;  ///< a valence well above those of meshes made for any purpose
+
+  /// Reused from edge to edge; every thread has its own, on cache lines of its own.
+  struct alignas(128) Scratch {
+    std::vector<int> neighbors;  // of the vertex last estimated for, that may collapse with it
+    std::vector<double> costs;   // of the edges to them
+    EdgeNeighborhood around;     // of the edge asked about or collapsed last
+    VertexRing ring;             // of the vertex last chosen for
+    std::vector<EdgeChoice> options;
+    std::vector<FacePlane> after;  // of the star, were the edge asked about last collapsed
+  };
+
+  CollapseOperator(WorkingMesh& mesh, MetricType& metric, const CollapseLimits& limits,
+                   CollapseObservers observers)
+      : mesh_(mesh),
+        metric_(metric),
+        topology_(limits.keeps_topology),
+        rule_(mesh, limits),
+        guards_(mesh, limits),
+        classifier_(mesh.connectivity),
+        observers_(std::move(observers)) {}
+
+  int valence(int v) const { return mesh_.connectivity.faces_of(v).size(); }
+  bool is_hub(int v) const { return valence(v) > hub; }
+
+  /// The pairs are contracted like edges; only one collapse at a time is possible then.
+  void add_pairs(VertexPairs pairs) { pairs_ = std::move(pairs); }
+
+  // --- candidates -------------------------------------------------------------------------------
+
+  /// Whether it is an edge or a pair still.
+  bool exists(Edge edge) const {
+    return mesh_.connectivity.has_edge(edge.a, edge.b) ||
+           (pairs_.contains(edge.a, edge.b) && valence(edge.a) > 0 && valence(edge.b) > 0);
+  }
+
+  /// What v may merge with: its neighbours, and its partners in pairs.
+  void gather_mates(int v, VertexRing& mates) const {
+    gather_ring(mesh_, v, mates);
+    if (mates.empty()) return;
+    for (int u : pairs_.of(v))
+      if (valence(u) > 0 && !mesh_.connectivity.has_edge(u, v))
+        mates.push_back({u, Vector3::Zero()});
+  }
+
+  /// nullopt: the kinds of its ends, or the metric, forbid it.
+  std::optional<Candidate> evaluate(Edge edge) const {
+    return evaluate(edge, wings_of(mesh_, edge));
+  }
+
+  /// The edge between v and its neighbour, as a choice of its lower vertex; none where it may not
+  /// collapse.
+  EdgeChoice choice(int v, const RingVertex& neighbor) const {
+    const Edge edge{std::min(v, neighbor.vertex), std::max(v, neighbor.vertex)};
+    const std::optional<Candidate> candidate = evaluate(edge, neighbor.wings);
+    if (!candidate) return {};
+    return {priority(edge, candidate->cost), edge.b};
+  }
+
+  Priority priority(Edge edge, double cost) const {
+    return {cost, (mesh_.position[edge.a] - mesh_.position[edge.b]).squaredNorm()};
+  }
+
+  /// The cheapest edge of v to a neighbour with a higher index.
+  EdgeChoice cheapest(int v, Scratch& scratch) const {
+    gather_options(v, scratch);
+    if (scratch.options.empty()) return {};
+    return *std::min_element(scratch.options.begin(), scratch.options.end());
+  }
+
+  /// The same by estimates, where the vertices' kinds leave the metric free.
+  EdgeChoice about_cheapest(int v, Scratch& scratch) const {
+    if (is_hub(v) || !rule_.is_free(v) || !gather_free_neighbors(v, scratch.neighbors))
+      return cheapest(v, scratch);
+    metric_.estimate(v, scratch.neighbors, scratch.costs);
+    EdgeChoice best;
+    for (std::size_t i = 0; i < scratch.neighbors.size(); ++i) {
+      const Edge edge{v, scratch.neighbors[i]};
+      best = std::min(best, {priority(edge, scratch.costs[i] * importance(edge)), edge.b});
+    }
+    return best;
+  }
+
+  /// The edges of v to neighbours with a higher index, as options in the scratch.
+  void gather_options(int v, Scratch& scratch) const {
+    scratch.options.clear();
+    gather_mates(v, scratch.ring);
+    for (const RingVertex& u : scratch.ring) {
+      if (u.vertex < v) continue;
+      if (const EdgeChoice option = choice(v, u); option.exists())
+        scratch.options.push_back(option);
+    }
+  }
+
+  /// The guards' answer, were the edge collapsed to x. Leaves its neighbourhood in the scratch.
+  GuardAnswer ask(Edge edge, const Vector3& x, Scratch& scratch) const {
+    scratch.around.gather(mesh_.connectivity, edge);
+    return guards_.ask(scratch.around, x, scratch.after);
+  }
+
+  // --- collapse ---------------------------------------------------------------------------------
+
+  /// Called before collapses with numbers below `count`.
+  void make_room(int count) {
+    for (CollapseObserver* observer : observers_) observer->make_room(count);
+  }
+
+  struct Done {
+    int keep, gone;
+    Removed removed;  // still to be counted
+  };
+
+  /// Collapses the edge asked about last, as the guards allowed it.
+  Done collapse(const Candidate& candidate, double error_bound, int number, Scratch& scratch) {
+    const EdgeNeighborhood& around = scratch.around;
+    assert(scratch.after.size() == around.star().size());
+    const VertexMerge done = merge_of(around.edge(), candidate);
+    guards_.accept(around, error_bound);
+    metric_.release(around, scratch.after);
+    for (CollapseObserver* observer : observers_) observer->before(mesh_, around, done, number);
+    mesh_.position[done.keep] = candidate.position;
+    Removed removed = mesh_.connectivity.collapse(done.keep, done.gone);
+    if (!topology_) removed += remove_duplicates(around);
+    mesh_.kind[done.keep] = std::max(mesh_.kind[done.keep], mesh_.kind[done.gone]);
+    if (!mesh_.importance.empty())
+      mesh_.importance[done.keep] +=
+          done.t * (mesh_.importance[done.gone] - mesh_.importance[done.keep]);
+    if (pairs_.active()) follow(done, around);
+    for (std::size_t i = 0; i < around.star().size(); ++i)
+      mesh_.plane[around.star()[i]] = scratch.after[i];
+    metric_.merge(done, around);
+    return {done.keep, done.gone, removed};
+  }
+
+  void renumber(const Renumbering& numbers) {
+    mesh_.renumber(numbers), metric_.renumber(numbers), guards_.renumber(numbers);
+    for (CollapseObserver* observer : observers_) observer->renumber(numbers);
+  }
+
+ private:
+  std::optional<Candidate> evaluate(Edge edge, const Vector3& wings) const {
+    const std::optional<Allowed> allowed = rule_(edge);
+    if (!allowed) return std::nullopt;
+    std::optional<Candidate> candidate = metric_.evaluate(edge, *allowed, wings);
+    if (candidate) candidate->cost *= importance(edge);
+    return candidate;
+  }
+
+  double importance(Edge edge) const {
+    return mesh_.importance.empty() ? 1.0 : mesh_.importance[edge.a] + mesh_.importance[edge.b];
+  }
+
+  /// The neighbours with a higher index, each from the face that it follows v in: where faces are
+  /// not oriented alike some are missed, others come twice. False if one of them is not free.
+  bool gather_free_neighbors(int v, std::vector<int>& neighbors) const {
+    neighbors.clear();
+    for (int f : mesh_.connectivity.faces_of(v)) {
+      const int u = mesh_.connectivity.next_vertex(f, v);
+      if (u < v) continue;
+      if (!rule_.is_free(u)) return false;
+      neighbors.push_back(u);
+    }
+    return true;
+  }
+
+  /// The vertex that does not move stays, if there is one, so that it keeps its bits.
+  VertexMerge merge_of(Edge edge, const Candidate& candidate) const {
+    const bool keep_b = candidate.position == mesh_.position[edge.b];
+    const int keep = keep_b ? edge.b : edge.a, gone = keep_b ? edge.a : edge.b;
+    return {keep,
+            gone,
+            mesh_.position[keep],
+            mesh_.position[gone],
+            candidate.position,
+            keep_b ? 1.0 - candidate.t : candidate.t};
+  }
+
+  /// Parts that touch make junctions, and seams that close none: the kinds are told anew. A locked
+  /// vertex has no pairs.
+  void follow(const VertexMerge& done, const EdgeNeighborhood& around) {
+    pairs_.merge(done.keep, done.gone);
+    if (mesh_.locked[done.keep]) pairs_.forget(done.keep);
+    const auto classify = [&](int v) { mesh_.kind[v] = classifier_.classify(v); };
+    classify(done.keep);
+    for (int v : around.thirds()) classify(v);
+    for (int f : around.star())
+      for (int v : mesh_.connectivity.face(f))
+        if (v != TriangleConnectivity::dead && v != done.keep) classify(v);
+  }
+
+  /// Where the link condition was not asked for, faces may have fallen onto each other.
+  Removed remove_duplicates(const EdgeNeighborhood& around) {
+    TriangleConnectivity& connectivity = mesh_.connectivity;
+    Removed removed;
+    for (int f : around.star()) {
+      if (!connectivity.alive(f)) continue;
+      const Face& face = connectivity.face(f);
+      for (int g : around.star())
+        if (g > f && connectivity.alive(g) && connectivity.face_has(g, face[0]) &&
+            connectivity.face_has(g, face[1]) && connectivity.face_has(g, face[2]))
+          removed += connectivity.remove_face(g);
+    }
+    return removed;
+  }
+
+  WorkingMesh& mesh_;
+  MetricType& metric_;
+  const bool topology_;
+  const CollapseRule rule_;
+  CollapseGuards guards_;
+  VertexPairs pairs_;
+  VertexClassifier classifier_;  // where there are pairs
+  const CollapseObservers observers_;
+};
+
+}  // namespace curvdecim::detail

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "vcg_ext/guard/limits.h"
+#include "vcg_ext/mesh/tally.h"
+#include "vcg_ext/metric/metric_plan.h"
+
+namespace curvdecim::detail {
+
+/// In which order edges collapse (docs/decisions/rounds.md).
+struct Schedule {
+  double round_share =
+      0.0;  ///< share of the choices that may be candidates in a round; 0: no rounds
+  bool eager =
+      false;  ///< in strict order: a collapse brings the costs of all edges around up to date
+};
+
+/// Everything that a run of collapses needs to know, lengths in the box of diagonal 1. It is made
+/// once, from any filter's parameters (run/plan_collapse.h), and never changes.
+struct CollapsePlan {
+  StopCriterion stop;
+  CollapseLimits limits;
+  MetricPlan metric;
+  Schedule schedule;
+  double pair_distance = 0.0;    ///< unconnected vertices that are closer may merge; 0: none
+  int refine_sweeps = 0;         ///< after the collapses
+  double boundary_weight = 1.0;  ///< against the surface, in the refinement
+};
+
+}  // namespace curvdecim::detail

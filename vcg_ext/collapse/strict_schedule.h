@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <optional>
+#include <vector>
+
+#include "vcg_ext/collapse/collapse_operator.h"
+#include "vcg_ext/collapse/edge_queue.h"
+#include "vcg_ext/collapse/hub_rests.h"
+#include "vcg_ext/mesh/tally.h"
+#include "vcg_ext/parallel/parallel.h"
+#include "vcg_ext/parallel/progress_meter.h"
+
+namespace curvdecim::detail {
+
+/// Collapses edges one by one, the cheapest first:
+///
+///   evaluate every edge, keep each vertex's cheapest in the queue
+///   while the target is not reached:
+///     edge <- cheapest                               (queue)
+///     evaluate again; costlier than queued? requeue  (metric)
+///     neighbourhood of the edge                      (mesh)
+///     refused? queue the vertex's next best          (guard)
+///     collapse, merge the metric, tell observers
+///     evaluate the new edges
+///
+/// Costs that a collapse elsewhere raised are found when their entry comes up; costs that it
+/// lowered are found when the edge is evaluated next.
+template <class MetricType>
+class StrictSchedule {
+ public:
+  /// eager: evaluate all edges around the merged vertex again. next_number: of the next collapse.
+  StrictSchedule(WorkingMesh& mesh, CollapseOperator<MetricType>& collapses,
+                 HubRests<MetricType>& rests, const StopCriterion& stop, bool eager,
+                 int next_number)
+      : mesh_(mesh),
+        collapses_(collapses),
+        rests_(rests),
+        stop_(stop),
+        eager_(eager),
+        next_number_(next_number),
+        queue_(mesh.connectivity.vertex_slots()) {}
+
+  /// Collapses until the target is reached or nothing is left. Throws CancelRequest.
+  void run(const Parallel& parallel, ProgressMeter& progress, Tally& tally) {
+    StopReason reason;
+    int before;
+    do {  // a refused edge may have become possible since: ask all once more before giving up
+      before = next_number_;
+      rests_.end_all();
+      fill_queue(parallel);
+      reason = empty_queue(progress, tally);
+    } while (reason == StopReason::NothingLeft && next_number_ > before);
+    tally.end(reason);
+  }
+
+ private:
+  using Scratch = typename CollapseOperator<MetricType>::Scratch;
+
+  static constexpr int steps_per_progress = 1024;  // a few milliseconds
+
+  void fill_queue(const Parallel& parallel) {
+    const int count = mesh_.connectivity.vertex_slots();
+    std::vector<EdgeChoice> choices(count);
+    parallel.for_ranges(
+        count,
+        [&](int begin, int end, int) {
+          Scratch scratch;
+          for (int v = begin; v < end; ++v) choices[v] = collapses_.cheapest(v, scratch);
+        },
+        Parallel::heavy);
+    for (int v = 0; v < count; ++v) queue_.set(v, choices[v]);
+  }
+
+  StopReason empty_queue(ProgressMeter& progress, Tally& tally) {
+    for (int steps = 0; !stop_.reached(mesh_.connectivity); ++steps) {
+      if (queue_.empty()) return StopReason::NothingLeft;
+      if (steps % steps_per_progress == 0) show(progress);
+      const Edge edge = queue_.top();
+      const auto candidate = collapses_.exists(edge) ? collapses_.evaluate(edge) : std::nullopt;
+      if (!candidate || is_behind(edge, candidate->cost)) {
+        queue_.set(edge.a, collapses_.cheapest(edge.a, scratch_));
+        continue;
+      }
+      const GuardAnswer answer = rests_.ask(edge, candidate->position, scratch_);
+      if (answer.refusal) {
+        ++tally.rejected[*answer.refusal];
+        queue_.set(edge.a, rests_.cheapest_possible(edge.a, scratch_));
+        continue;
+      }
+      collapse(*candidate, answer.error_bound, tally);
+    }
+    return StopReason::Target;
+  }
+
+  /// True if the edge became costlier since it was queued, and is no longer the cheapest.
+  bool is_behind(Edge edge, double cost) const {
+    const Priority now = collapses_.priority(edge, cost);
+    return queue_.top_priority() < now && queue_.second_priority() < now;
+  }
+
+  void collapse(const Candidate& candidate, double error_bound, Tally& tally) {
+    collapses_.make_room(++next_number_);
+    const auto done = collapses_.collapse(candidate, error_bound, next_number_ - 1, scratch_);
+    mesh_.connectivity.count(done.removed);
+    tally.pairs_contracted += scratch_.around.wings().empty();
+    tally.count_step(candidate.cost, error_bound);
+    queue_.remove(done.gone);
+    queue_.remove(done.keep);
+    collapses_.gather_mates(done.keep, ring_);
+    eager_ ? requeue_ring(done.keep) : offer_ring(done.keep);
+  }
+
+  void requeue_ring(int v) {
+    queue_.set(v, collapses_.cheapest(v, scratch_));
+    for (const RingVertex& u : ring_)
+      if (!is_passed_over(u.vertex)) queue_.set(u.vertex, collapses_.cheapest(u.vertex, scratch_));
+  }
+
+  void offer_ring(int v) {
+    for (const RingVertex& u : ring_)
+      if (const int owner = std::min(u.vertex, v); !is_passed_over(owner))
+        queue_.offer(owner, collapses_.choice(v, u));
+  }
+
+  /// A hub at rest lets new edges go by.
+  bool is_passed_over(int owner) { return !queue_.contains(owner) && rests_.passes_over(owner); }
+
+  void show(ProgressMeter& progress) const {
+    progress.set(stop_.progress(mesh_.connectivity));
+    progress.ask();
+  }
+
+  WorkingMesh& mesh_;
+  CollapseOperator<MetricType>& collapses_;
+  HubRests<MetricType>& rests_;
+  const StopCriterion& stop_;
+  const bool eager_;
+  int next_number_;  // of the next collapse
+  EdgeQueue queue_;
+  Scratch scratch_;
+  VertexRing ring_;  // of the vertex merged last, with its partners
+};
+
+}  // namespace curvdecim::detail

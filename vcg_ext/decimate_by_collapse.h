@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <utility>
+
+#include "vcg_ext/collapse/collapse_edges.h"
+#include "vcg_ext/host_mesh/read_carried.h"
+#include "vcg_ext/host_mesh/read_mesh.h"
+#include "vcg_ext/host_mesh/write_back.h"
+#include "vcg_ext/refine/refine.h"
+#include "vcg_ext/run/conclude.h"
+#include "vcg_ext/run/plan_collapse.h"
+#include "vcg_ext/run/run.h"
+
+namespace curvdecim::detail {
+
+/// The one way of every edge collapse: read, plan, collapse, refine, write. Nothing of the host's
+/// mesh changes before the last step. Params: what plan_collapse takes. with_metric(mesh, plan,
+/// use) calls use(metric) and returns what it returns. Throws InputError.
+template <class MeshType, class Params, class WithMetric>
+DecimationReport decimate_by_collapse(MeshType& mesh, const Params& params,
+                                      const Progress& progress, WithMetric with_metric) {
+  return reported<DecimationReport>(counts_of(mesh), params, progress, [&](const auto& run) {
+    WorkingCopy copy = read_mesh(mesh, params.selected_only, run.parallel);
+    const auto plan = plan_collapse(params, facts_of(mesh, copy, params.selected_only));
+    if (!plan) return note_small_enough(run.report);
+    Carried carried = read_carried(mesh, copy, params.quality_weight, *plan, run.report);
+    std::optional<InputCopy> input = keep_input(copy.mesh, *plan, run.parallel);
+    const Tally tally = with_metric(copy.mesh, plan->metric, [&](auto metric) {
+      return collapse_edges(copy.mesh, metric, *plan, carried.collapse_observers(), run.parallel,
+                            run.progress);
+    });
+    refine(copy.mesh, std::move(input), *plan, carried, run.parallel, run.progress);
+    write_back(mesh, copy, carried, run.report);
+    conclude(tally, *plan, copy.mesh, copy.box.diagonal, run.report);
+  });
+}
+
+}  // namespace curvdecim::detail

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vcg/complex/allocate.h>
+#include <vcg/complex/complex.h>
+
+#include <algorithm>
+#include <optional>
+#include <type_traits>
+#include <vector>
+
+#include "vcg_ext/clustering/cell_attributes.h"
+#include "vcg_ext/clustering/clustering_operator.h"
+#include "vcg_ext/host_mesh/attributes.h"
+#include "vcg_ext/host_mesh/compact_mesh.h"
+#include "vcg_ext/host_mesh/input_checks.h"
+#include "vcg_ext/report.h"
+
+namespace curvdecim::detail {
+
+/// Makes a vcg mesh what the clustering of it gave. One vertex of each cell stays and goes to the
+/// representative; faces that are left keep what they carry. Afterwards the mesh is compact and its
+/// adjacency relations are empty.
+template <class MeshType>
+class ClusterWriteBack {
+ public:
+  ClusterWriteBack(MeshType& mesh, const FlatMesh& flat, const Clustering& clustering,
+                   const Parallel& parallel)
+      : mesh_(mesh),
+        flat_(flat),
+        clusters_(clustering.clusters),
+        representatives_(clustering.representatives),
+        parallel_(parallel),
+        in_use_(clusters_.cells(), false) {
+    for (const CellFace& face : clusters_.faces)
+      for (int c : face.cells) in_use_[c] = true;
+    place();
+  }
+
+  /// Returns the furthest that a vertex of a cell in use is from where it goes, in the mesh's unit,
+  /// rounded as the mesh will hold it.
+  double furthest_move() const {
+    std::vector<double> furthest2(parallel_.threads(), 0.0);
+    parallel_.for_ranges(static_cast<int>(clusters_.cell_of.size()),
+                         [&](int begin, int end, int worker) {
+                           for (int v = begin; v < end; ++v)
+                             furthest2[worker] = std::max(furthest2[worker], move2(v));
+                         });
+    return flat_.box.diagonal * std::sqrt(*std::max_element(furthest2.begin(), furthest2.end()));
+  }
+
+  void run(const CarriedByCells& carried) {
+    blend_attributes(carried.blend);
+    connect_faces(carried.wedges);
+    move_vertices();
+    delete_vertices();
+    compact_mesh(mesh_);
+  }
+
+ private:
+  using Scalar = typename MeshType::ScalarType;
+  using Coordinates = typename MeshType::CoordType;
+  using Vertex = typename MeshType::VertexType;
+
+  Vertex& vertex(int c) { return mesh_.vert[representatives_.vertex[c]]; }
+
+  /// Where the vertex stays, it keeps its bits.
+  void place() {
+    point_.resize(clusters_.cells());
+    for (int c = 0; c < clusters_.cells(); ++c) {
+      const int v = representatives_.vertex[c];
+      const Vector3& x = representatives_.position[c];
+      if (x == flat_.position[v]) {
+        point_[c] = mesh_.vert[v].cP();
+        continue;
+      }
+      const Vector3 user = flat_.box.to_user(x);
+      for (int k = 0; k < 3; ++k) point_[c][k] = static_cast<Scalar>(user[k]);
+    }
+  }
+
+  /// Squared, in the unit box.
+  double move2(int v) const {
+    const int c = clusters_.cell_of[v];
+    if (c == Clusters::none || !in_use_[c]) return 0.0;
+    const Coordinates& p = point_[c];
+    const Vector3 to(static_cast<double>(p[0]), static_cast<double>(p[1]),
+                     static_cast<double>(p[2]));
+    return ((to - point_of(mesh_, v)) / flat_.box.diagonal).squaredNorm();
+  }
+
+  /// All values are read before the first is written.
+  void blend_attributes(const CellBlend& blend) {
+    VertexAttributes<MeshType>::for_each(mesh_, [&](auto read, auto write) {
+      using Attribute = std::decay_t<decltype(read(mesh_.vert[0]))>;
+      const auto value = [&](int v) { return read(mesh_.vert[v]); };
+      std::vector<Attribute> values(clusters_.cells());
+      for (int c = 0; c < clusters_.cells(); ++c)
+        if (in_use_[c])
+          values[c] = blend.at<Attribute>(c, value, value(representatives_.vertex[c]));
+      for (int c = 0; c < clusters_.cells(); ++c)
+        if (in_use_[c] && !Clusters::is_fixed(clusters_.keys[c])) write(vertex(c), values[c]);
+    });
+  }
+
+  void connect_faces(const std::optional<std::vector<FaceWedges>>& wedges) {
+    std::vector<bool> left(flat_.faces.size(), false);
+    for (std::size_t i = 0; i < clusters_.faces.size(); ++i) {
+      const CellFace& face = clusters_.faces[i];
+      left[face.origin] = true;
+      if (wedges) write_wedges(mesh_.face[face.origin], (*wedges)[i]);
+      connect_face(face);
+    }
+    for (std::size_t f = 0; f < left.size(); ++f)
+      if (!left[f] && FlatMesh::is_face(flat_.faces[f]))
+        vcg::tri::Allocator<MeshType>::DeleteFace(mesh_, mesh_.face[f]);
+  }
+
+  /// A face that does not change keeps its normal and its marks of edges inside polygons, which
+  /// mean nothing once the polygon is cut.
+  void connect_face(const CellFace& cell_face) {
+    auto& face = mesh_.face[cell_face.origin];
+    bool changed = false;
+    for (int i = 0; i < 3; ++i) {
+      Vertex& to = vertex(cell_face.cells[i]);
+      changed = changed || face.cV(i) != &to || to.cP() != point_[cell_face.cells[i]];
+      face.V(i) = &to;
+    }
+    if (!changed) return;
+    face.ClearAllF();
+    if (!vcg::tri::HasPerFaceNormal(mesh_)) return;
+    const auto at = [&](int i) -> const Vector3& {
+      return representatives_.position[cell_face.cells[i]];
+    };
+    const Vector3 normal = face_plane({at(0), at(1), at(2)}).normal;
+    for (int k = 0; k < 3; ++k) face.N()[k] = static_cast<Scalar>(normal[k]);
+  }
+
+  void move_vertices() {
+    for (int c = 0; c < clusters_.cells(); ++c)
+      if (in_use_[c]) vertex(c).P() = point_[c];
+  }
+
+  /// Those that no face uses any more, and, where all faces may change, those that none used
+  /// before.
+  void delete_vertices() {
+    const bool all_may_change = flat_.staying.empty();
+    for (std::size_t v = 0; v < mesh_.vert.size(); ++v) {
+      if (mesh_.vert[v].IsD() || flat_.role[v] == VertexRole::Fixed) continue;
+      const int c = clusters_.cell_of[v];
+      const bool stays = c == Clusters::none
+                             ? !all_may_change
+                             : in_use_[c] && representatives_.vertex[c] == static_cast<int>(v);
+      if (!stays) vcg::tri::Allocator<MeshType>::DeleteVertex(mesh_, mesh_.vert[v]);
+    }
+  }
+
+  MeshType& mesh_;
+  const FlatMesh& flat_;
+  const Clusters& clusters_;
+  const Representatives& representatives_;
+  const Parallel& parallel_;
+  std::vector<bool> in_use_;        // by cell: whether a face uses it
+  std::vector<Coordinates> point_;  // by cell: where its vertex goes, in the mesh's own scalar
+};
+
+/// Makes the host's mesh what its clustering left.
+template <class MeshType>
+void write_back(MeshType& mesh, const FlatMesh& flat, const Clustering& clustering,
+                const CarriedByCells& carried, const Parallel& parallel, ClusteringReport& report) {
+  ClusterWriteBack<MeshType> back(mesh, flat, clustering, parallel);
+  report.largest_move = back.furthest_move();
+  back.run(carried);
+  report.faces = mesh.fn, report.vertices = mesh.vn;
+}
+
+}  // namespace curvdecim::detail

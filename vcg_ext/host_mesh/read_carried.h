@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vcg/complex/complex.h>
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "vcg_ext/attributes/carried.h"
+#include "vcg_ext/collapse/collapse_plan.h"
+#include "vcg_ext/host_mesh/attributes.h"
+#include "vcg_ext/host_mesh/working_copy.h"
+#include "vcg_ext/run/notes.h"
+
+namespace curvdecim::detail {
+
+/// The wedge texture coordinates of the working faces, if the mesh has them.
+template <class MeshType>
+std::optional<WedgeTexture> read_wedges(const MeshType& mesh, const WorkingCopy& copy) {
+  if (!vcg::tri::HasPerWedgeTexCoord(mesh)) return std::nullopt;
+  std::vector<FaceWedges> wedges;
+  for (int f : copy.mesh.face_origin) wedges.push_back(wedges_of(mesh.face[f]));
+  return WedgeTexture(std::move(wedges));
+}
+
+/// True if one vertex has different texture coordinates in different faces.
+inline bool has_seams(const WorkingMesh& mesh, const WedgeTexture& wedges) {
+  std::vector<const WedgeCoordinate*> first(mesh.position.size(), nullptr);
+  for (int f = 0; f < mesh.connectivity.face_slots(); ++f)
+    for (int i = 0; i < 3; ++i) {
+      const WedgeCoordinate*& known = first[mesh.connectivity.face(f)[i]];
+      if (!known) known = &wedges.of_face(f)[i];
+      if (!(*known == wedges.of_face(f)[i])) return true;
+    }
+  return false;
+}
+
+/// True if a vertex attribute other than the normal differs among these vertices of the vcg mesh.
+template <class MeshType>
+bool has_varying_attributes(const MeshType& mesh, const std::vector<int>& vertices) {
+  const auto& first = mesh.vert[vertices[0]];
+  const auto differs = [&](int i) {
+    const auto& v = mesh.vert[i];
+    return (vcg::tri::HasPerVertexColor(mesh) && v.cC() != first.cC()) ||
+           (vcg::tri::HasPerVertexQuality(mesh) && v.cQ() != first.cQ()) ||
+           (vcg::tri::HasPerVertexRadius(mesh) && v.cR() != first.cR()) ||
+           (vcg::tri::HasPerVertexTexCoord(mesh) && !(v.cT() == first.cT()));
+  };
+  return std::any_of(vertices.begin(), vertices.end(), differs);
+}
+
+template <class MeshType>
+void note_faux_edges(const MeshType& mesh, DecimationReport& report) {
+  for (const auto& face : mesh.face)
+    if (!face.IsD() && face.IsAnyF()) {
+      report.notes.push_back(
+          "Marks of edges inside polygons (faux edges) are dropped where faces change.");
+      break;
+    }
+}
+
+/// Names what is not carried in full, apart from seams.
+template <class MeshType>
+void note_dropped_attributes(const MeshType& mesh, DecimationReport& report) {
+  note_faux_edges(mesh, report);
+  if (!mesh.vert_attr.empty())
+    report.notes.push_back(
+        "Custom vertex attributes stay with the vertices that remain; they are not interpolated.");
+}
+
+/// Weighs the vertices of the copy by the quality of the host's, if that was asked for.
+template <class MeshType>
+void weigh_by_quality(const MeshType& mesh, bool quality_weight, WorkingCopy& copy,
+                      DecimationReport& report) {
+  if (!quality_weight) return;
+  copy.mesh.importance = importance_from_quality(mesh, copy.vertex_of);
+  if (copy.mesh.importance.empty()) note_no_quality("The weight by quality", report);
+}
+
+/// Room for the collapses: some are numbered and refused in the end.
+inline std::size_t expected_collapses(const WorkingMesh& mesh, const StopCriterion& stop) {
+  constexpr double ample = 1.2;
+  return static_cast<std::size_t>(ample * std::max(0.0, stop.collapses_left(mesh.connectivity)));
+}
+
+/// Reads what the mesh carries, and what weighs its vertices, for a run of collapses; notes what
+/// the user should know of both.
+template <class MeshType>
+Carried read_carried(const MeshType& mesh, WorkingCopy& copy, bool quality_weight,
+                     const CollapsePlan& plan, DecimationReport& report) {
+  weigh_by_quality(mesh, quality_weight, copy, report);
+  note_repairs(copy.mesh, copy.unusable.size(), plan.limits.keeps_topology, report);
+  if (plan.pair_distance == 0.0) note_open_seams(copy.mesh, report);
+  Carried carried;
+  carried.blended = BlendRecord(has_varying_attributes(mesh, copy.vertex_of),
+                                expected_collapses(copy.mesh, plan.stop));
+  carried.wedges = read_wedges(mesh, copy);
+  if (carried.wedges && has_seams(copy.mesh, *carried.wedges)) note_seams(report);
+  note_dropped_attributes(mesh, report);
+  return carried;
+}
+
+/// The same for removals of vertices: those that stay keep all that they carry.
+template <class MeshType>
+Carried read_carried(const MeshType& mesh, WorkingCopy& copy, bool quality_weight,
+                     DecimationReport& report) {
+  weigh_by_quality(mesh, quality_weight, copy, report);
+  note_repairs(copy.mesh, copy.unusable.size(), true, report);
+  note_open_seams(copy.mesh, report);
+  Carried carried;
+  carried.wedges = read_wedges(mesh, copy);
+  note_faux_edges(mesh, report);
+  return carried;
+}
+
+}  // namespace curvdecim::detail

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <numeric>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "vcg_ext/errors.h"
+#include "vcg_ext/geometry/morton.h"
+#include "vcg_ext/host_mesh/input_checks.h"
+#include "vcg_ext/host_mesh/working_copy.h"
+#include "vcg_ext/parallel/parallel.h"
+#include "vcg_ext/run/target.h"
+
+namespace curvdecim::detail {
+
+/// Reads the living faces and the vertices that they use.
+template <class MeshType>
+class WorkingCopyReader {
+ public:
+  WorkingCopyReader(const MeshType& mesh, const Parallel& parallel)
+      : mesh_(mesh), parallel_(parallel), working_of_(mesh.vert.size(), unused) {}
+
+  /// Throws InputError where there is nothing to decimate or a face uses a vertex that it cannot.
+  WorkingCopy read() {
+    require_faces(mesh_);
+    read_faces();
+    if (faces_.empty())
+      throw InputError("Every face of the mesh uses a vertex twice; nothing is left to decimate.");
+    collect_vertices();
+    normalize();
+    number_vertices();
+    order_faces();
+    finish();
+    return std::move(copy_);
+  }
+
+ private:
+  static constexpr int unused = -1;
+
+  void read_faces() {
+    faces_.reserve(mesh_.fn), face_of_.reserve(mesh_.fn);
+    for (std::size_t f = 0; f < mesh_.face.size(); ++f)
+      if (!mesh_.face[f].IsD()) read_face(static_cast<int>(f));
+  }
+
+  void read_face(int f) {
+    Face face;
+    for (int i = 0; i < 3; ++i) face[i] = usable_vertex_at(mesh_, f, i);
+    if (face[0] == face[1] || face[1] == face[2] || face[2] == face[0]) {
+      copy_.unusable.push_back(f);
+      return;
+    }
+    for (int v : face) working_of_[v] = 0;
+    faces_.push_back(face);
+    face_of_.push_back(f);
+  }
+
+  void collect_vertices() {
+    for (std::size_t v = 0; v < working_of_.size(); ++v)
+      if (working_of_[v] != unused) copy_.vertex_of.push_back(static_cast<int>(v));
+  }
+
+  /// Neighbours in space become neighbours in memory: the collapses jump about in the mesh, but
+  /// each touches a small region only.
+  void number_vertices() {
+    const int count = static_cast<int>(copy_.vertex_of.size());
+    std::vector<std::pair<std::uint64_t, int>> order(count);
+    parallel_.for_each(count, [&](int i) {
+      const int v = copy_.vertex_of[i];
+      order[i] = {morton_code(copy_.box.to_box(point_of(mesh_, v))), v};
+    });
+    parallel_.sort(order.begin(), order.end());
+    copy_.mesh.position.resize(count);
+    parallel_.for_each(count, [&](int i) {
+      const int v = order[i].second;
+      copy_.vertex_of[i] = v;
+      working_of_[v] = i;
+      copy_.mesh.position[i] = copy_.box.to_box(point_of(mesh_, v));
+    });
+    parallel_.for_each(static_cast<int>(faces_.size()), [&](int f) {
+      for (int& v : faces_[f]) v = working_of_[v];
+    });
+  }
+
+  /// A face as its vertices in ascending order, and where it stands.
+  struct FaceKey {
+    int least, middle, largest, face;
+
+    bool same_vertices(const FaceKey& o) const {
+      return least == o.least && middle == o.middle && largest == o.largest;
+    }
+    bool operator<(const FaceKey& o) const {
+      return std::tie(middle, largest, face) < std::tie(o.middle, o.largest, o.face);
+    }
+  };
+
+  FaceKey key_of(int f) const {
+    const auto [a, b, c] = faces_[f];
+    const int least = std::min({a, b, c}), largest = std::max({a, b, c});
+    return {least, a ^ b ^ c ^ least ^ largest, largest, f};
+  }
+
+  /// Faces by their vertices: buckets by the least one, sorted inside.
+  std::vector<FaceKey> ordered_keys() const {
+    const int vertices = static_cast<int>(copy_.vertex_of.size());
+    std::vector<int> begin(vertices + 1, 0);
+    for (const Face& face : faces_) ++begin[std::min({face[0], face[1], face[2]}) + 1];
+    for (int v = 0; v < vertices; ++v) begin[v + 1] += begin[v];
+    std::vector<FaceKey> keys(faces_.size());
+    std::vector<int> end(begin.begin(), begin.end() - 1);
+    for (std::size_t f = 0; f < faces_.size(); ++f) {
+      const FaceKey key = key_of(static_cast<int>(f));
+      keys[end[key.least]++] = key;
+    }
+    parallel_.for_each(
+        vertices, [&](int v) { std::sort(keys.begin() + begin[v], keys.begin() + begin[v + 1]); });
+    return keys;
+  }
+
+  /// By their vertices, too.
+  void order_faces() {
+    const std::vector<FaceKey> keys = keys_without_duplicates();
+    const int count = static_cast<int>(keys.size());
+    std::vector<Face> faces(count);
+    std::vector<int> face_of(count);
+    parallel_.for_each(count, [&](int i) {
+      faces[i] = faces_[keys[i].face];
+      face_of[i] = face_of_[keys[i].face];
+    });
+    faces_.swap(faces);
+    face_of_.swap(face_of);
+  }
+
+  /// The faces in order; of those with the same three vertices, the first stays.
+  std::vector<FaceKey> keys_without_duplicates() {
+    std::vector<FaceKey> keys = ordered_keys();
+    std::size_t kept = 1;
+    for (std::size_t i = 1; i < keys.size(); ++i)
+      if (keys[i].same_vertices(keys[kept - 1]))
+        copy_.unusable.push_back(face_of_[keys[i].face]);
+      else
+        keys[kept++] = keys[i];
+    keys.resize(kept);
+    return keys;
+  }
+
+  void normalize() {
+    Vector3 low = point_of(mesh_, copy_.vertex_of[0]), high = low;
+    for (int v : copy_.vertex_of) {
+      const Vector3 p = point_of(mesh_, v);
+      low = low.cwiseMin(p), high = high.cwiseMax(p);
+    }
+    copy_.box = unit_box(low, high);
+  }
+
+  void finish() {
+    WorkingMesh& mesh = copy_.mesh;
+    const int count = static_cast<int>(mesh.position.size());
+    mesh.connectivity = TriangleConnectivity(std::move(faces_), count);
+    mesh.kind = classify_vertices(mesh.connectivity, parallel_);
+    mesh.locked.assign(count, 0);
+    mesh.plane.resize(mesh.connectivity.face_slots());
+    parallel_.for_each(mesh.connectivity.face_slots(), [&](int f) { mesh.update_plane(f); });
+    mesh.vertex_origin.resize(count);
+    std::iota(mesh.vertex_origin.begin(), mesh.vertex_origin.end(), 0);
+    copy_.selected.resize(face_of_.size());
+    parallel_.for_each(static_cast<int>(face_of_.size()),
+                       [&](int f) { copy_.selected[f] = mesh_.face[face_of_[f]].IsS(); });
+    mesh.face_origin = std::move(face_of_);
+  }
+
+  const MeshType& mesh_;
+  const Parallel& parallel_;
+  std::vector<int> working_of_;  // by vcg vertex
+  std::vector<Face> faces_;
+  std::vector<int> face_of_;  // by working face: index in the vcg mesh
+  WorkingCopy copy_;
+};
+
+/// A working copy of the mesh, in which only selected faces may change if that was asked for.
+/// Throws InputError where there is nothing to decimate or a face uses a vertex that it cannot.
+template <class MeshType>
+WorkingCopy read_mesh(const MeshType& mesh, bool selected_only, const Parallel& parallel) {
+  WorkingCopy copy = WorkingCopyReader<MeshType>(mesh, parallel).read();
+  if (selected_only) lock_unselected(mesh, copy);
+  return copy;
+}
+
+template <class MeshType>
+Counts counts_of(const MeshType& mesh) {
+  return {mesh.fn, mesh.vn};
+}
+
+/// copy: as it was read.
+template <class MeshType>
+InputFacts facts_of(const MeshType& mesh, const WorkingCopy& copy, bool selected_only) {
+  const auto staying =
+      selected_only ? std::count(copy.selected.begin(), copy.selected.end(), std::uint8_t{0}) : 0;
+  return {counts_of(mesh),
+          count_candidates(mesh, selected_only),
+          copy.mesh.connectivity.face_count(),
+          static_cast<int>(staying),
+          copy.mesh.connectivity.vertex_count(),
+          copy.box.diagonal};
+}
+
+}  // namespace curvdecim::detail

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include "vcg_ext/mesh/working_mesh.h"
+#include "vcg_ext/report.h"
+
+namespace curvdecim::detail {
+
+/// The target as absolute counts; faces and vertices that take no part are counted by the caller.
+struct StopCriterion {
+  int faces = 0;     ///< stop at this many faces of the working mesh
+  int vertices = 0;  ///< stop at this many vertices of the working mesh
+  int start = 0;     ///< faces of the working mesh at the start
+
+  /// once_removed: what is about to go.
+  bool reached(const TriangleConnectivity& connectivity, const Removed& once_removed = {}) const {
+    return connectivity.face_count() - once_removed.faces <= faces ||
+           connectivity.vertex_count() - once_removed.vertices <= vertices;
+  }
+
+  /// Collapses until the target, if each removes two faces and a vertex.
+  double collapses_left(const TriangleConnectivity& connectivity) const {
+    return std::min(0.5 * (connectivity.face_count() - faces),
+                    1.0 * (connectivity.vertex_count() - vertices));
+  }
+
+  /// The part of the faces to go that is gone, 0..1.
+  double progress(const TriangleConnectivity& connectivity) const {
+    const double all = std::max(1, start - faces);
+    return std::clamp((start - connectivity.face_count()) / all, 0.0, 1.0);
+  }
+};
+
+/// What the steps of a run came to, in the box of diagonal 1.
+struct Tally {
+  StopReason stopped_by = StopReason::Target;
+  double largest_error = 0.0;  // bound on the two-sided distance to the input, where it is known
+  double cost_last = 0.0;
+  Rejections rejected;
+  std::int64_t pairs_contracted = 0;
+
+  void count_step(double cost, double error) {
+    cost_last = cost;
+    largest_error = std::max(largest_error, error);
+  }
+
+  /// Where nothing is left to do and the bound stood against some steps, the bound was the reason.
+  void end(StopReason reason) {
+    const bool bound = reason == StopReason::NothingLeft && rejected[Rejection::ErrorBound] > 0;
+    stopped_by = bound ? StopReason::ErrorBound : reason;
+  }
+};
+
+}  // namespace curvdecim::detail

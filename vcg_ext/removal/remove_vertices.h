@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cassert>
+#include <utility>
+#include <vector>
+
+#include "vcg_ext/mesh/sharp_edges.h"
+#include "vcg_ext/removal/removal_schedule.h"
+
+namespace curvdecim::detail {
+
+/// The lines of the mesh: its sharp edges, and seams, which nothing leaves. is_seam(f, g, a, b): of
+/// the edge ab between the faces f and g.
+template <class IsSeam>
+FeatureEdges feature_edges(const WorkingMesh& mesh, const RemovalPlan& plan, IsSeam is_seam,
+                           const Parallel& parallel) {
+  const SharpEdges sharp(mesh, plan.feature_angle);
+  return FeatureEdges(mesh.connectivity, parallel, [&](int f, int g, int a, int b) {
+    if (is_seam(f, g, a, b)) return EdgeMark::Held;
+    if (!sharp.between(f, g)) return EdgeMark::None;
+    return plan.preserve_features ? EdgeMark::Held : EdgeMark::Feature;
+  });
+}
+
+/// The class of every vertex.
+inline std::vector<VertexClass> classify(WorkingMesh& mesh, const RemovalPlan& plan,
+                                         const Parallel& parallel) {
+  const auto no_seam = [](int, int, int, int) { return false; };
+  const RemovalOperator removals(mesh, feature_edges(mesh, plan, no_seam, parallel), plan, {});
+  std::vector<VertexClass> classes;
+  VertexFan fan;
+  for (int v = 0; v < mesh.connectivity.vertex_slots(); ++v)
+    classes.push_back(removals.class_at(v, fan));
+  return classes;
+}
+
+/// Removes vertices of the mesh, those nearest to what is left first, as far as the plan says.
+/// Throws CancelRequest.
+template <class IsSeam>
+Tally remove_vertices(WorkingMesh& mesh, const RemovalPlan& plan, IsSeam is_seam,
+                      RemovalObservers observers, const Parallel& parallel,
+                      ProgressMeter& progress) {
+  RemovalOperator removals(mesh, feature_edges(mesh, plan, is_seam, parallel), plan,
+                           std::move(observers));
+  const Tally tally = RemovalSchedule(mesh, removals, plan).run(parallel, progress);
+  assert((mesh.connectivity.validate(), true));
+  return tally;
+}
+
+}  // namespace curvdecim::detail

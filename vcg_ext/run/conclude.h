@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The end of a run: what it came to, in the user's unit.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <string>
+
+#include "vcg_ext/clustering/clustering_operator.h"
+#include "vcg_ext/collapse/collapse_plan.h"
+#include "vcg_ext/mesh/tally.h"
+#include "vcg_ext/run/notes.h"
+
+namespace curvdecim::detail {
+
+/// diagonal: of the bounding box, in the mesh's unit. exhausted: what a run had no more of that
+/// ends above its target.
+inline void conclude(const Tally& tally, double diagonal, const char* exhausted,
+                     DecimationReport& report) {
+  report.stopped_by = tally.stopped_by;
+  report.max_error = diagonal * tally.largest_error;
+  report.cost_last = tally.cost_last;
+  report.rejected = tally.rejected;
+  note_stop(exhausted, report);
+}
+
+/// mesh: after the run.
+inline void conclude(const Tally& tally, const CollapsePlan& plan, const WorkingMesh& mesh,
+                     double diagonal, DecimationReport& report) {
+  report.pairs_contracted = tally.pairs_contracted;
+  if (plan.pair_distance > 0.0) note_pairs(mesh, report);
+  conclude(tally, diagonal, "no edge is left that may collapse", report);
+}
+
+/// Says so where the number of faces is not the target.
+inline void judge_target(int target, int left, ClusteringReport& report) {
+  constexpr double tolerance = 0.02;  // of the target
+  if (target == 0 || std::abs(left - target) <= tolerance * target) return;
+  report.stopped_by = StopReason::NothingLeft;
+  report.notes.push_back("No size of the cells leaves a number of faces nearer to the target " +
+                         std::to_string(target) + " than " + std::to_string(left) +
+                         ": many come and go together.");
+}
+
+inline void conclude(const Clustering& clustering, const ClusteringPlan& plan, const FlatMesh& mesh,
+                     ClusteringReport& report) {
+  const Clusters& clusters = clustering.clusters;
+  report.cell_size = clusters.diameter * mesh.box.diagonal;
+  report.cost_last = clustering.representatives.largest_cost;
+  report.degenerate = mesh.face_count - clusters.crossing;
+  report.crowded = clusters.crowded;
+  report.duplicate =
+      clusters.crossing - clusters.crowded - static_cast<std::int64_t>(clusters.faces.size());
+  judge_target(plan.target, static_cast<int>(clusters.faces.size()), report);
+}
+
+}  // namespace curvdecim::detail

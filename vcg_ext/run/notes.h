@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a run tells its user in words, beside the figures.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+
+#include "vcg_ext/mesh/tally.h"
+#include "vcg_ext/mesh/working_mesh.h"
+#include "vcg_ext/report.h"
+
+namespace curvdecim::detail {
+
+inline void note_cancelled(DecimationReport& report) {
+  report.stopped_by = StopReason::Cancelled;
+  report.notes.push_back("Cancelled: the mesh is unchanged.");
+}
+
+inline void note_small_enough(DecimationReport& report) {
+  report.notes.push_back(
+      "The target is not below the current count: nothing to do, the mesh is unchanged.");
+}
+
+/// use: what asks for the quality.
+inline void note_no_quality(const std::string& use, DecimationReport& report) {
+  report.notes.push_back(use + " has no effect: no vertex has a quality above zero.");
+}
+
+/// removed: faces that were left out at reading.
+inline void note_repairs(const WorkingMesh& mesh, std::size_t removed, bool keeps_topology,
+                         DecimationReport& report) {
+  if (removed > 0)
+    report.notes.push_back("Removed " + std::to_string(removed) +
+                           " faces that used a vertex twice or repeated another face.");
+  const auto non_manifold = std::count_if(mesh.kind.begin(), mesh.kind.end(),
+                                          [](VertexKind k) { return k >= VertexKind::Curve; });
+  if (non_manifold > 0)
+    report.notes.push_back(std::to_string(non_manifold) + " vertices are non-manifold" +
+                           (keeps_topology ? "; there will not be more." : "."));
+}
+
+/// Border vertices that lie where another one lies: faces that were never joined. Vertices are in
+/// the order of a space-filling curve, so that coincident ones are neighbours.
+inline int count_coincident_borders(const WorkingMesh& mesh) {
+  int count = 0;
+  for (std::size_t v = 1; v < mesh.position.size(); ++v)
+    count += mesh.kind[v] == VertexKind::Boundary && mesh.position[v] == mesh.position[v - 1];
+  return count;
+}
+
+/// For runs that join no vertices.
+inline void note_open_seams(const WorkingMesh& mesh, DecimationReport& report) {
+  if (const int coincident = count_coincident_borders(mesh); coincident > 0)
+    report.notes.push_back(
+        std::to_string(coincident) +
+        " border vertices lie where another one lies. Such seams do not close and "
+        "hinder decimation; merge close vertices first.");
+}
+
+inline void note_seams(DecimationReport& report) {
+  report.notes.push_back(
+      "The texture has seams. Its coordinates are carried, but seams may shift a little.");
+}
+
+/// mesh: after the collapses.
+inline void note_pairs(const WorkingMesh& mesh, DecimationReport& report) {
+  int non_manifold = 0;
+  for (int v = 0; v < mesh.connectivity.vertex_slots(); ++v)
+    non_manifold += mesh.kind[v] >= VertexKind::Curve && mesh.connectivity.faces_of(v).size() > 0;
+  report.notes.push_back("Parts could join, so that the topology was not preserved: " +
+                         std::to_string(report.pairs_contracted) +
+                         " unconnected pairs were contracted, and " + std::to_string(non_manifold) +
+                         " vertices are non-manifold now.");
+}
+
+/// Says why more is left than was asked for. exhausted: what the run had no more of.
+inline void note_stop(const char* exhausted, DecimationReport& report) {
+  if (report.stopped_by != StopReason::NothingLeft) return;
+  const auto& counts = report.rejected.count;
+  const auto most = std::max_element(counts.begin(), counts.end());
+  std::string note =
+      "Stopped at " + std::to_string(report.faces) + " faces, above the target: " + exhausted + '.';
+  if (*most > 0)
+    note +=
+        std::string(" Most were refused by ") + labels(Rejection())[most - counts.begin()] + '.';
+  report.notes.push_back(note);
+}
+
+}  // namespace curvdecim::detail

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include "vcg_ext/collapse/collapse_plan.h"
+#include "vcg_ext/run/target.h"
+
+namespace curvdecim::detail {
+
+/// More sweeps take off half a per cent of the error.
+inline constexpr int best_refine_sweeps = 3;
+
+/// The parameters with the named settings of their preset; Custom leaves all as it is.
+inline EdgeCollapseParams with_preset(EdgeCollapseParams params) {
+  if (params.preset == Preset::Custom) return params;
+  static_cast<QuadricParams&>(params) = QuadricParams();
+  params.scheduler = params.preset == Preset::Fast ? Scheduler::FewRounds : Scheduler::Rounds;
+  params.refine_sweeps = params.preset == Preset::Best ? best_refine_sweeps : 0;
+  return params;
+}
+
+/// Without the link condition a collapse may remove more faces than a round counts on: no rounds.
+inline Schedule schedule_of(Scheduler scheduler, bool keeps_topology) {
+  constexpr double few_candidates = 0.3, many_candidates = 0.8;  // docs/decisions/rounds.md
+  Schedule schedule;
+  schedule.eager = scheduler == Scheduler::Eager;
+  if (keeps_topology && scheduler == Scheduler::Rounds) schedule.round_share = few_candidates;
+  if (keeps_topology && scheduler == Scheduler::FewRounds) schedule.round_share = many_candidates;
+  return schedule;
+}
+
+inline QuadricPlan quadric_plan(const DecimationParams& params, const QuadricParams& quadrics,
+                                bool keeps_topology) {
+  return {quadrics, params.boundary_weight, params.feature_angle, keeps_topology};
+}
+
+inline MetricPlan metric_plan(const EdgeCollapseParams& params, bool keeps_topology,
+                              double diagonal) {
+  const QuadricPlan quadrics = quadric_plan(params, params, keeps_topology);
+  switch (params.metric) {
+    case Metric::CurvatureWeighted: return CurvatureWeightedPlan{quadrics, params, diagonal};
+    case Metric::CurvatureAdditive:
+      return CurvatureAdditivePlan{quadrics, params.lambda, params.curvature_term};
+    case Metric::Quadric: break;
+  }
+  return quadrics;
+}
+
+inline MetricPlan metric_plan(const SphereParams& params) {
+  const SpherePlan spheres{quadric_plan(params, QuadricParams(), params.preserve_topology), params,
+                           params.energy};
+  if (params.placement == SpherePlacement::Free3D) return AnchoredSpherePlan{spheres};
+  return InterpolatedSpherePlan{spheres};
+}
+
+/// What every run of collapses has, whatever its metric; nullopt: the mesh is small enough.
+inline std::optional<CollapsePlan> plan_collapse(const DecimationParams& params,
+                                                 const InputFacts& input) {
+  const std::optional<StopCriterion> stop = stop_criterion(params, input);
+  if (!stop) return std::nullopt;
+  CollapsePlan plan;
+  plan.stop = *stop;
+  plan.limits = {{params.preserve_normal, params.normal_angle},
+                 params.preserve_topology,
+                 params.preserve_boundary,
+                 params.max_error / input.diagonal};
+  plan.metric = quadric_plan(params, QuadricParams(), params.preserve_topology);
+  plan.schedule = schedule_of(Scheduler::Rounds, params.preserve_topology);
+  plan.boundary_weight = params.boundary_weight;
+  return plan;
+}
+
+inline std::optional<CollapsePlan> plan_collapse(const EdgeCollapseParams& requested,
+                                                 const InputFacts& input) {
+  EdgeCollapseParams params = with_preset(requested);
+  if (params.pair_distance > 0.0) params.preserve_topology = false;  // parts join
+  std::optional<CollapsePlan> plan =
+      plan_collapse(static_cast<const DecimationParams&>(params), input);
+  if (!plan) return plan;
+  plan->metric = metric_plan(params, params.preserve_topology, input.diagonal);
+  plan->schedule = schedule_of(params.scheduler, params.preserve_topology);
+  plan->pair_distance = params.pair_distance / input.diagonal;
+  // No bound is known for a vertex that moves on its own, and HalfEdge moves none.
+  if (params.max_error == 0.0 && params.placement != Placement::HalfEdge)
+    plan->refine_sweeps = params.refine_sweeps;
+  return plan;
+}
+
+/// Interpolated spheres have no estimate that is cheaper than the cost itself: no rounds.
+inline std::optional<CollapsePlan> plan_collapse(const SphereParams& params,
+                                                 const InputFacts& input) {
+  std::optional<CollapsePlan> plan =
+      plan_collapse(static_cast<const DecimationParams&>(params), input);
+  if (!plan) return plan;
+  plan->metric = metric_plan(params);
+  if (params.placement != SpherePlacement::Free3D) plan->schedule = {};
+  if (params.max_error == 0.0) plan->refine_sweeps = params.refine_sweeps;
+  return plan;
+}
+
+}  // namespace curvdecim::detail

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <optional>
+
+#include "vcg_ext/mesh/tally.h"
+#include "vcg_ext/params.h"
+
+namespace curvdecim::detail {
+
+/// Elements of the host's mesh that are not deleted.
+struct Counts {
+  int faces = 0, vertices = 0;
+};
+
+/// What a plan needs to know of the input.
+struct InputFacts {
+  Counts all;             // in the host's mesh
+  int candidates = 0;     // faces that may change
+  int faces = 0;          // in the working copy
+  int staying_faces = 0;  // of these, faces that may not change
+  int used_vertices = 0;  // in the working copy
+  double diagonal = 1.0;  // of the bounding box, in the mesh's unit
+};
+
+/// The faces that a fraction of some faces keeps: at least one.
+inline int faces_of_fraction(double fraction, int candidates) {
+  return std::max(1, static_cast<int>(fraction * candidates));
+}
+
+/// The faces to keep among those that may change, by the parameter that rules.
+inline int target_faces(const DecimationParams& params, int candidates) {
+  if (params.target_fraction > 0.0) return faces_of_fraction(params.target_fraction, candidates);
+  if (params.target_vertices > 0) return 0;
+  return params.target_faces == DecimationParams::no_target ? 0 : params.target_faces;
+}
+
+/// Where a run ends, in terms of the working copy; nullopt: the mesh is small enough as it is.
+inline std::optional<StopCriterion> stop_criterion(const DecimationParams& params,
+                                                   const InputFacts& input) {
+  const int faces = target_faces(params, input.candidates);
+  const bool by_vertices = params.target_vertices > 0;
+  if (faces >= input.candidates || (by_vertices && params.target_vertices >= input.all.vertices))
+    return std::nullopt;
+  const int unused = input.all.vertices - input.used_vertices;
+  return StopCriterion{faces + input.staying_faces,
+                       by_vertices ? std::max(0, params.target_vertices - unused) : 0, input.faces};
+}
+
+}  // namespace curvdecim::detail

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "vcg_ext/clustering/clustering_operator.h"
+#include "vcg_ext/host_mesh/cluster_write_back.h"
+#include "vcg_ext/host_mesh/read_cells.h"
+#include "vcg_ext/host_mesh/read_flat.h"
+#include "vcg_ext/params.h"
+#include "vcg_ext/report.h"
+#include "vcg_ext/run/conclude.h"
+#include "vcg_ext/run/plan_clustering.h"
+#include "vcg_ext/run/run.h"
+
+namespace curvdecim {
+
+/// Decimates a vcg triangle mesh by vertex clustering, in place.
+///
+/// The mesh needs faces with vertex references and selection flags; no adjacency. Whatever
+/// attributes it has are carried. It is left exactly as it was when the parameters or the mesh
+/// cannot be used (throws InputError), when it is already small enough, and when `progress` asks to
+/// stop (the report says Cancelled). No vertex moves further than largest_move of the report, which
+/// is at most cell_size; what is thinner than a cell may vanish, and edges may get more than two
+/// faces.
+///
+/// Time O(n), 100 bytes of memory a vertex and 200 an occupied cell.
+template <class MeshType>
+ClusteringReport decimate_vertex_clustering(MeshType& mesh, const ClusteringParams& params,
+                                            const Progress& progress = {}) {
+  using namespace detail;
+  return reported<ClusteringReport>(counts_of(mesh), params, progress, [&](const auto& run) {
+    const FlatMesh flat = read_flat(mesh, params.selected_only, run.parallel);
+    const auto plan = plan_clustering(params, flat);
+    if (!plan) return note_small_enough(run.report);
+    const ClusteringWeights weights = read_weights(mesh, flat, params.quality_weight, *plan, run);
+    const Clustering clustering =
+        ClusteringOperator(flat, *plan, weights, run.parallel).run(run.progress);
+    const CarriedByCells carried = read_carried(mesh, flat, clustering, *plan, weights, run);
+    run.progress.finish();
+    write_back(mesh, flat, clustering, carried, run.parallel, run.report);
+    conclude(clustering, *plan, flat, run.report);
+  });
+}
+
+}  // namespace curvdecim

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "vcg_ext/host_mesh/read_carried.h"
+#include "vcg_ext/host_mesh/read_mesh.h"
+#include "vcg_ext/host_mesh/write_back.h"
+#include "vcg_ext/params.h"
+#include "vcg_ext/removal/remove_vertices.h"
+#include "vcg_ext/report.h"
+#include "vcg_ext/run/conclude.h"
+#include "vcg_ext/run/plan_removal.h"
+#include "vcg_ext/run/run.h"
+
+namespace curvdecim {
+
+/// Decimates a vcg triangle mesh by vertex removal @cite schroeder1992, in place.
+///
+/// The mesh needs faces with vertex references and selection flags; no adjacency. The vertices that
+/// stay keep all that they carry, to the bit. The mesh is left exactly as it was when the
+/// parameters or the mesh cannot be used (throws InputError), when it is already small enough, and
+/// when `progress` asks to stop (the report says Cancelled). It may stop short of the target; the
+/// report says why. max_error of the report is a bound on the two-sided distance to the input.
+///
+/// Time O(n log n) for bounded valence, 400 bytes of memory a vertex.
+template <class MeshType>
+DecimationReport decimate_vertex_removal(MeshType& mesh, const VertexRemovalParams& params,
+                                         const Progress& progress = {}) {
+  using namespace detail;
+  return reported<DecimationReport>(counts_of(mesh), params, progress, [&](const auto& run) {
+    WorkingCopy copy = read_mesh(mesh, params.selected_only, run.parallel);
+    const auto plan = plan_removal(params, facts_of(mesh, copy, params.selected_only));
+    if (!plan) return note_small_enough(run.report);
+    Carried carried = read_carried(mesh, copy, params.quality_weight, run.report);
+    const Tally tally = remove_vertices(copy.mesh, *plan, seams_of(copy.mesh, carried),
+                                        carried.removal_observers(), run.parallel, run.progress);
+    write_back(mesh, copy, carried, run.report);
+    conclude(tally, copy.box.diagonal, "no vertex is left that may go", run.report);
+  });
+}
+
+/// Returns the class of every vertex of a face, by vcg vertex; nullopt: no face uses it. Throws
+/// InputError.
+template <class MeshType>
+std::vector<std::optional<VertexClass>> vertex_classes(const MeshType& mesh,
+                                                       const VertexRemovalParams& params) {
+  using namespace detail;
+  validate(params);
+  const Parallel parallel(params.threads);
+  WorkingCopy copy = read_mesh(mesh, false, parallel);
+  const RemovalPlan plan = plan_without_target(params, copy.box.diagonal);
+  const auto classes_in_copy = classify(copy.mesh, plan, parallel);
+  std::vector<std::optional<VertexClass>> classes(mesh.vert.size());
+  for (std::size_t v = 0; v < copy.vertex_of.size(); ++v)
+    classes[copy.vertex_of[v]] = classes_in_copy[v];
+  return classes;
+}
+
+}  // namespace curvdecim
