@@ -35,6 +35,9 @@ constexpr auto labels(Rejection) {
                     "hub_at_rest",    "vertex_class", "loop_split"};
 }
 
+static_assert(labels(StopReason()).size() == static_cast<std::size_t>(StopReason::Cancelled) + 1);
+static_assert(labels(Rejection()).size() == static_cast<std::size_t>(Rejection::LoopSplit) + 1);
+
 /// How often each reason stood against a step, by Rejection.
 struct Rejections {
   std::array<std::int64_t, labels(Rejection()).size()> count{};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cassert>
 #include <cstddef>
 #include <vector>
 
@@ -20,6 +21,7 @@ inline constexpr Edge no_edge{-1, -1};
 class EdgeNeighborhood {
  public:
   void gather(const TriangleConnectivity& connectivity, Edge edge) {
+    assert(edge.a < edge.b);
     edge_ = edge;
     wings_.clear(), thirds_.clear(), star_.clear();
     for (int f : connectivity.faces_of(edge.a)) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cassert>
 #include <utility>
 #include <vector>
 
@@ -49,6 +50,7 @@ class Renumbering {
   template <class T>
   static void keep(const std::vector<int>& old, std::vector<T>& array) {
     if (array.empty()) return;
+    assert(old.size() <= array.size());
     for (std::size_t i = 0; i < old.size(); ++i) array[i] = array[old[i]];
     array.resize(old.size());
   }

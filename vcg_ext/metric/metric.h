@@ -43,55 +43,27 @@ struct Candidate {
   double t;  // 0..1: where along the edge attributes are taken from
 };
 
-// The calls, each on a metric M as the collapses make it.
-
-template <class M>
-using InitializeCall = decltype(std::declval<M&>().initialize(std::declval<const Parallel&>()));
-
-/// allowed: where the kinds of the ends let the vertex lie; OntoA and OntoB: at this end, to the
-/// bit. wings: sum of the area vectors of the faces at the edge. nullopt: the edge stays.
-template <class M>
-using EvaluateCall = decltype(std::declval<const M&>().evaluate(
-    std::declval<Edge>(), std::declval<Allowed>(), std::declval<const Vector3&>()));
-
-/// About the costs of the edges from v to others, each of which may collapse to anywhere; they only
-/// choose what is evaluated. costs: to be resized.
-template <class M>
-using EstimateCall = decltype(std::declval<const M&>().estimate(
-    std::declval<int>(), std::declval<const std::vector<int>&>(),
-    std::declval<std::vector<double>&>()));
-
-template <class M>
-using ReleaseCall = decltype(std::declval<M&>().release(
-    std::declval<const EdgeNeighborhood&>(), std::declval<const std::vector<FacePlane>&>()));
-
-template <class M>
-using MergeCall = decltype(std::declval<M&>().merge(std::declval<const VertexMerge&>(),
-                                                    std::declval<const EdgeNeighborhood&>()));
-
-/// What the metric has by vertex or by face gets the new numbers: numbers.vertices(array).
-template <class M>
-using RenumberCall = decltype(std::declval<M&>().renumber(std::declval<const Renumbering&>()));
-
-/// True if a metric of type M has the call, and it gives a Result.
-template <template <class> class Call, class Result, class M, class = void>
-struct HasCall : std::false_type {};
-template <template <class> class Call, class Result, class M>
-struct HasCall<Call, Result, M, std::void_t<Call<M>>> : std::is_same<Call<M>, Result> {};
-
-/// Compiles for a metric only, and names the call that another type lacks.
+/// Compiles for a metric only: another type lacks a call that is named here, or gives another
+/// result.
 template <class M>
 constexpr bool require_metric() {
-  static_assert(HasCall<InitializeCall, void, M>::value, "void initialize(const Parallel&)");
-  static_assert(HasCall<EvaluateCall, std::optional<Candidate>, M>::value,
-                "optional<Candidate> evaluate(Edge, Allowed, const Vector3& wings) const");
-  static_assert(HasCall<EstimateCall, void, M>::value,
-                "void estimate(int v, const vector<int>& others, vector<double>& costs) const");
-  static_assert(HasCall<ReleaseCall, void, M>::value,
-                "void release(const EdgeNeighborhood&, const vector<FacePlane>& after)");
-  static_assert(HasCall<MergeCall, void, M>::value,
-                "void merge(const VertexMerge&, const EdgeNeighborhood&)");
-  static_assert(HasCall<RenumberCall, void, M>::value, "void renumber(const Renumbering&)");
+  using std::declval, std::is_same_v;
+  const auto* const_metric = static_cast<const M*>(nullptr);
+  static_assert(is_same_v<void, decltype(declval<M&>().initialize(declval<const Parallel&>()))>);
+  // allowed: where the kinds of the ends let the vertex lie; OntoA and OntoB: at this end, to the
+  // bit. wings: sum of the area vectors of the faces at the edge. nullopt: the edge stays.
+  static_assert(is_same_v<std::optional<Candidate>,
+                          decltype(const_metric->evaluate(Edge(), Allowed(), Vector3()))>);
+  // About the costs of the edges from v to others, each of which may collapse to anywhere; they
+  // only choose what is evaluated. costs: to be resized.
+  static_assert(is_same_v<void, decltype(const_metric->estimate(int(), std::vector<int>(),
+                                                                declval<std::vector<double>&>()))>);
+  static_assert(is_same_v<void, decltype(declval<M&>().release(EdgeNeighborhood(),
+                                                               std::vector<FacePlane>()))>);
+  static_assert(is_same_v<void, decltype(declval<M&>().merge(declval<const VertexMerge&>(),
+                                                             EdgeNeighborhood()))>);
+  // What the metric has by vertex or by face gets the new numbers: numbers.vertices(array).
+  static_assert(is_same_v<void, decltype(declval<M&>().renumber(declval<const Renumbering&>()))>);
   return true;
 }
 

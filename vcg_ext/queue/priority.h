@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cassert>
 #include <cstdint>
 #include <cstring>
 #include <limits>
@@ -16,7 +17,9 @@ class Priority {
   Priority() = default;
 
   /// cost, length2 >= 0; length2: squared length, in the box of diagonal 1.
-  Priority(double cost, double length2) : bits_(bits_of(cost) << 32 | bits_of(length2)) {}
+  Priority(double cost, double length2) : bits_(bits_of(cost) << 32 | bits_of(length2)) {
+    assert(!(cost < 0.0) && !(length2 < 0.0));
+  }
 
   double cost() const {
     const std::uint32_t high = static_cast<std::uint32_t>(bits_ >> 32);

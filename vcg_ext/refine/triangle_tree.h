@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -116,6 +117,7 @@ class TriangleTree {
         order_(faces),
         first_leaf_(std::max(1, (leaf_count() + 1) / 3)),
         boxes_(first_leaf_) {
+    assert(faces > 0);
     sort_faces(parallel);
     refit(parallel);
   }

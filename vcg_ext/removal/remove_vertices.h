@@ -29,6 +29,7 @@ inline std::vector<VertexClass> classify(WorkingMesh& mesh, const RemovalPlan& p
   const auto no_seam = [](int, int, int, int) { return false; };
   const RemovalOperator removals(mesh, feature_edges(mesh, plan, no_seam, parallel), plan, {});
   std::vector<VertexClass> classes;
+  classes.reserve(mesh.position.size());
   VertexFan fan;
   for (int v = 0; v < mesh.connectivity.vertex_slots(); ++v)
     classes.push_back(removals.class_at(v, fan));

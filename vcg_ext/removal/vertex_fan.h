@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+#include <cassert>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -37,9 +39,9 @@ class VertexFan {
 
   /// Where in the loop the neighbour stands.
   int place_of(int neighbor) const {
-    int place = 0;
-    while (loop_[place] != neighbor) ++place;
-    return place;
+    const auto found = std::find(loop_.begin(), loop_.end(), neighbor);
+    assert(found != loop_.end());
+    return static_cast<int>(found - loop_.begin());
   }
 
  private:
