@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Targets for the header-only core:
-#   curvdecim_core      include directory, Eigen, threads and the flags every user of the core needs
+#   curvdecim_core      include directory, Eigen, threads and the flags every user of the core needs;
+#                       CurvDecim::core, as find_package gives it
 #   vcg_ext             the same with the newest vcglib, for tests and benchmarks
 #   curvdecim_warnings  the warnings our own sources are free of
 
@@ -8,16 +9,19 @@ find_package(Eigen3 REQUIRED NO_MODULE)
 find_package(Threads REQUIRED)
 
 add_library(curvdecim_core INTERFACE)
-target_include_directories(curvdecim_core INTERFACE ${PROJECT_SOURCE_DIR})
+add_library(CurvDecim::core ALIAS curvdecim_core)
+target_include_directories(curvdecim_core INTERFACE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>)
 target_compile_features(curvdecim_core INTERFACE cxx_std_17)
 # A fused multiply-add rounds once instead of twice: results would differ from machine to machine.
 target_compile_options(curvdecim_core INTERFACE -ffp-contract=off)
 # Vectors of three doubles: packets of two cost more in shuffling than they save (measured: 1.2 times).
-target_compile_definitions(curvdecim_core INTERFACE EIGEN_DONT_VECTORIZE)
+target_compile_definitions(curvdecim_core INTERFACE EIGEN_DONT_VECTORIZE CURVDECIM_CONTRACTION_IS_OFF)
 target_link_libraries(curvdecim_core INTERFACE Eigen3::Eigen Threads::Threads)
 
-add_library(vcg_ext INTERFACE)
-target_link_libraries(vcg_ext INTERFACE curvdecim_core meshlab-headers-${CURVDECIM_NEWEST_MESHLAB})
+if(CURVDECIM_NEWEST_MESHLAB)
+  add_library(vcg_ext INTERFACE)
+  target_link_libraries(vcg_ext INTERFACE curvdecim_core meshlab-headers-${CURVDECIM_NEWEST_MESHLAB})
+endif()
 
 add_library(curvdecim_warnings INTERFACE)
 target_compile_options(curvdecim_warnings INTERFACE -Wall -Wextra -Wshadow)

@@ -126,5 +126,7 @@ function(curvdecim_add_plugin target)
     BUILD_WITH_INSTALL_RPATH ON
     CXX_VISIBILITY_PRESET hidden
     VISIBILITY_INLINES_HIDDEN ON)
+  install(TARGETS ${target} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/curvdecim/${arg_HOST}
+          COMPONENT plugins EXCLUDE_FROM_ALL)
   message(STATUS "CurvDecim for ${arg_HOST}: target ${target}, symbols from ${library}")
 endfunction()

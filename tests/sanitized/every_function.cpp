@@ -42,10 +42,8 @@ std::vector<Call> collapses() {
     params.preset = preset;
     calls.push_back(collapse(labels(preset)[static_cast<int>(preset)], params));
   }
-  for (Scheduler scheduler :
-       {Scheduler::Rounds, Scheduler::Lazy, Scheduler::Eager, Scheduler::FewRounds})
+  for (Scheduler scheduler : {Scheduler::Lazy, Scheduler::Eager})
     calls.push_back(collapse(labels(scheduler)[static_cast<int>(scheduler)], custom(scheduler)));
-
   params = custom(Scheduler::Rounds), params.metric = Metric::Quadric;
   params.quadrics = Quadrics::Accumulated, params.placement = Placement::Line;
   calls.push_back(collapse("Accumulated", params));
@@ -73,17 +71,19 @@ Call own_metric() {
       }};
 }
 
+Call sphere(std::string name, SphereEnergy energy, SpherePlacement placement) {
+  SphereParams params;
+  params.energy = energy, params.placement = placement;
+  params.normal_angle = narrow;
+  return {std::move(name),
+          [params](RichMesh& mesh, const CommonParams& common, const Progress& progress) {
+            return decimate(mesh, with(params, common), progress);
+          }};
+}
+
 std::vector<Call> spheres() {
-  std::vector<Call> calls;
-  for (const Variant& variant : sphere_variants()) {
-    SphereParams params = std::get<SphereParams>(variant.params);
-    params.normal_angle = narrow, params.refine_sweeps = 1;
-    calls.push_back({variant.name, [params](RichMesh& mesh, const CommonParams& common,
-                                            const Progress& progress) {
-                       return decimate(mesh, with(params, common), progress);
-                     }});
-  }
-  return calls;
+  return {sphere("SphereInSpace", SphereEnergy::Poster, SpherePlacement::Free3D),
+          sphere("SphereOnEdge", SphereEnergy::Squared, SpherePlacement::OnSphereAlongEdge)};
 }
 
 std::vector<Call> removals() {

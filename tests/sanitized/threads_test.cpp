@@ -3,6 +3,9 @@
 // also look for races, for memory that is used wrongly and for what the language leaves undefined.
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cstddef>
+#include <ostream>
 #include <string>
 #include <thread>
 #include <tuple>
@@ -26,27 +29,30 @@ struct Input {
 
 void PrintTo(const Input& input, std::ostream* out) { *out << input.name; }
 
-const std::vector<Input> inputs{
-    {"hubs",
-     [](RichMesh& mesh) { fill_with_attributes(mesh, scaled(rough_cones(80, 16), 1.0 / 32)); },
-     false},
-    {"pages", [](RichMesh& mesh) { fill_with_attributes(mesh, scaled(book(3, 20), 0.5)); }, false},
-    {"seams",
-     [](RichMesh& mesh) {
-       fill_with_attributes(mesh, unit_ball(4));
-       put_right_half_on_a_page(mesh);
-     },
-     false},
-    {"weighted_half",
-     [](RichMesh& mesh) {
-       fill_with_attributes(mesh, unit_ball(4));
-       select_faces(mesh, is_left);
-     },
-     true}};
+void fill_hubs(RichMesh& mesh) {
+  fill_with_attributes(mesh, scaled(rough_cones(70, 15), 1.0 / 30));
+}
+
+void fill_pages(RichMesh& mesh) { fill_with_attributes(mesh, scaled(book(3, 18), 0.5)); }
+
+void fill_seams(RichMesh& mesh) {
+  fill_with_attributes(mesh, translated(saddle(32), {0.5, 0.5, 0.5}));
+  put_right_half_on_a_page(mesh);
+}
+
+void fill_half(RichMesh& mesh) {
+  fill_with_attributes(mesh, unit_ball(4));
+  select_faces(mesh, is_left);
+}
+
+const std::vector<Input> inputs{{"hubs", fill_hubs, false},
+                                {"pages", fill_pages, false},
+                                {"seams", fill_seams, false},
+                                {"weighted_half", fill_half, true}};
 
 CommonParams common(const Input& input, int threads) {
   CommonParams params;
-  params.target_fraction = 0.3, params.threads = threads;
+  params.target_fraction = 0.5, params.threads = threads;
   params.selected_only = params.quality_weight = input.weighted_half;
   return params;
 }
@@ -104,11 +110,48 @@ INSTANTIATE_TEST_SUITE_P(Of, EveryFunction,
                                           testing::ValuesIn(every_call())),
                          name_of);
 
+/// Without hubs that rest, the questions about them need no order.
 TEST(Hubs, AreAtRestInTheseTests) {
   for (const Call& call : every_call())
     if (call.name == "Balanced") {
-      EXPECT_GT(result_of(call, inputs[0], several).report.rejected[Rejection::HubAtRest], 0);
+      EXPECT_GT(result_of(call, {"hubs", fill_hubs, false}, several)
+                    .report.rejected[Rejection::HubAtRest],
+                0);
     }
+}
+
+TEST(CancelledCalls, LeaveTheMeshAsItWas) {
+  constexpr int early = 4;  // of the questions whether to go on
+  const Input input{"seams", fill_seams, false};
+  RichMesh before;
+  input.fill(before);
+  int cancelled = 0;
+  for (const Call& call : every_call()) {
+    const Result found = result_of(call, input, several, early);
+    if (found.asked == 0) continue;
+    EXPECT_EQ(found.asked, early) << call.name;
+    EXPECT_EQ(found.report.stopped_by, StopReason::Cancelled) << call.name;
+    EXPECT_TRUE(found.mesh == bytes_of(before)) << call.name;
+    ++cancelled;
+  }
+  EXPECT_GT(cancelled, 0);
+}
+
+TEST(CallsAtTheSameTime, ShareNothing) {
+  const auto fill_ball = [](RichMesh& mesh) { fill_with_attributes(mesh, unit_ball(3)); };
+  const std::vector<Call> calls = every_call();
+  std::array<std::vector<Result>, 2> results;
+  const auto call_all = [&](int i) {
+    for (const Call& call : calls)
+      results[i].push_back(result_of(call, {"ball", fill_ball, false}, 1));
+  };
+  std::thread other(call_all, 1);
+  call_all(0);
+  other.join();
+  for (std::size_t c = 0; c < calls.size(); ++c) {
+    SCOPED_TRACE(calls[c].name);
+    expect_same(results[0][c], results[1][c]);
+  }
 }
 
 }  // namespace

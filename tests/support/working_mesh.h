@@ -4,8 +4,8 @@
 #include <numeric>
 
 #include "support/shape.h"
-#include "vcg_ext/mesh/working_mesh.h"
 #include "vcg_ext/mesh/edge_neighborhood.h"
+#include "vcg_ext/mesh/working_mesh.h"
 
 namespace curvdecim::test {
 

@@ -12,6 +12,12 @@
 #error "CurvDecim uses the vectors of GCC and Clang; compile it with one of them."
 #endif
 
+// What was read before keeps its own rule, and of vcglib and Eigen that is the compiler's.
+#if defined(__FMA__) && defined(EIGEN_CORE_H) && !defined(CURVDECIM_CONTRACTION_IS_OFF)
+#error "Results would differ from machine to machine: include CurvDecim's headers before Eigen and \
+vcglib, or compile with -ffp-contract=off -DCURVDECIM_CONTRACTION_IS_OFF, as CurvDecim::core does."
+#endif
+
 #ifdef __FAST_MATH__
 #error "-ffast-math changes results from machine to machine; compile CurvDecim without it."
 #endif
