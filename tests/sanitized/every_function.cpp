@@ -74,7 +74,6 @@ Call own_metric() {
 Call sphere(std::string name, SphereEnergy energy, SpherePlacement placement) {
   SphereParams params;
   params.energy = energy, params.placement = placement;
-  params.normal_angle = narrow;
   return {std::move(name),
           [params](RichMesh& mesh, const CommonParams& common, const Progress& progress) {
             return decimate(mesh, with(params, common), progress);
