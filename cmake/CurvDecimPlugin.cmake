@@ -127,6 +127,6 @@ function(curvdecim_add_plugin target)
     CXX_VISIBILITY_PRESET hidden
     VISIBILITY_INLINES_HIDDEN ON)
   install(TARGETS ${target} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/curvdecim/${arg_HOST}
-          COMPONENT plugins EXCLUDE_FROM_ALL)
+          COMPONENT plugins OPTIONAL EXCLUDE_FROM_ALL)
   message(STATUS "CurvDecim for ${arg_HOST}: target ${target}, symbols from ${library}")
 endfunction()
