@@ -3,6 +3,7 @@
 #include "vcg_ext/own_metric.h"
 
 #include <algorithm>
+#include <exception>
 #include <iostream>
 #include <optional>
 #include <vector>
@@ -57,7 +58,7 @@ class LengthTimesTurn {
   const WorkingMesh& mesh_;
 };
 
-int main() {
+int main() try {
   Mesh mesh;
   make_bumpy_grid(mesh, 32);
 
@@ -67,4 +68,7 @@ int main() {
       mesh, params, [](const WorkingMesh& working) { return LengthTimesTurn(working); });
 
   std::cout << report.faces_before << " faces became " << report.faces << " faces\n";
+} catch (const std::exception& error) {
+  std::cerr << error.what() << "\n";
+  return 1;
 }

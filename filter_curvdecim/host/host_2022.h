@@ -27,6 +27,6 @@ class FilterCurvDecimPlugin : public QObject, public FilterPlugin {
   std::map<std::string, QVariant> applyFilter(const QAction* action,
                                               const RichParameterList& parameters,
                                               MeshDocument& document,
-                                              unsigned int& postConditionMask,
+                                              unsigned int& post_condition_mask,
                                               vcg::CallBackPos* callback) override;
 };

@@ -8,8 +8,8 @@
 #include "support/mesh_group.h"
 #include "support/properties.h"
 #include "support/removal.h"
+#include "support/removal_record.h"
 #include "support/working_mesh.h"
-#include "vcg_ext/removal/removal_record.h"
 
 namespace curvdecim::test {
 

@@ -14,8 +14,7 @@
 
 // What was read before keeps its own rule, and of vcglib and Eigen that is the compiler's.
 #if defined(__FMA__) && defined(EIGEN_CORE_H) && !defined(CURVDECIM_CONTRACTION_IS_OFF)
-#error "Results would differ from machine to machine: include CurvDecim's headers before Eigen and \
-vcglib, or compile with -ffp-contract=off -DCURVDECIM_CONTRACTION_IS_OFF, as CurvDecim::core does."
+#error "Results would differ by machine: include CurvDecim before Eigen, or link CurvDecim::core."
 #endif
 
 #ifdef __FAST_MATH__
