@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "vcg_ext/geometry/quadric.h"
+#include "vcg_ext/geometry/symmetric3.h"
 
 namespace curvdecim::detail {
 

@@ -10,7 +10,6 @@
 #include "vcg_ext/clustering/cell_quadrics.h"
 #include "vcg_ext/clustering/cell_sums.h"
 #include "vcg_ext/clustering/least_in_box.h"
-#include "vcg_ext/params.h"
 
 namespace curvdecim::detail {
 

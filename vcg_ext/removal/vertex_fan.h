@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 #include "vcg_ext/mesh/triangle_connectivity.h"
