@@ -11,4 +11,16 @@ namespace curvdecim::detail {
 
 using Vector3 = Eigen::Vector3d;
 
+/// A host's point or vector, of any scalar.
+template <class HostVector>
+Vector3 vector_of(const HostVector& p) {
+  return {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
+}
+
+/// The way back: rounds to the host's scalar.
+template <class HostVector>
+void assign(HostVector& to, const Vector3& p) {
+  for (int k = 0; k < 3; ++k) to[k] = static_cast<typename HostVector::ScalarType>(p[k]);
+}
+
 }  // namespace curvdecim::detail

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "vcg_ext/attributes/wedge_texture.h"
 #include "vcg_ext/errors.h"
 #include "vcg_ext/geometry/vector3.h"
+#include "vcg_ext/mesh/wedges.h"
 
 namespace curvdecim::detail {
 
@@ -51,14 +51,10 @@ class VertexAttributes {
       v.C()[k] = static_cast<unsigned char>(std::lround(std::clamp(c[k], 0.0, 255.0)));
   };
 
-  static constexpr auto read_normal = [](const Vertex& v) {
-    return Vector3(static_cast<double>(v.cN()[0]), static_cast<double>(v.cN()[1]),
-                   static_cast<double>(v.cN()[2]));
-  };
+  static constexpr auto read_normal = [](const Vertex& v) { return vector_of(v.cN()); };
   static constexpr auto write_normal = [](Vertex& v, const Vector3& n) {
-    using Scalar = typename MeshType::ScalarType;
     const double length = n.norm();
-    for (int k = 0; k < 3 && length > 0.0; ++k) v.N()[k] = static_cast<Scalar>(n[k] / length);
+    if (length > 0.0) assign(v.N(), n / length);
   };
 
   static constexpr auto read_texture = [](const Vertex& v) {

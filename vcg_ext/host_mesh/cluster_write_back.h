@@ -58,11 +58,11 @@ class ClusterWriteBack {
   }
 
  private:
-  using Scalar = typename MeshType::ScalarType;
   using Coordinates = typename MeshType::CoordType;
   using Vertex = typename MeshType::VertexType;
 
   Vertex& vertex(int c) { return mesh_.vert[representatives_.vertex[c]]; }
+  bool moves(int c) { return vertex(c).cP() != point_[c]; }
 
   /// Where the vertex stays, it keeps its bits.
   void place() {
@@ -70,12 +70,10 @@ class ClusterWriteBack {
     for (int c = 0; c < clusters_.cells(); ++c) {
       const int v = representatives_.vertex[c];
       const Vector3& x = representatives_.position[c];
-      if (x == flat_.position[v]) {
+      if (x == flat_.position[v])
         point_[c] = mesh_.vert[v].cP();
-        continue;
-      }
-      const Vector3 user = flat_.box.to_user(x);
-      for (int k = 0; k < 3; ++k) point_[c][k] = static_cast<Scalar>(user[k]);
+      else
+        assign(point_[c], flat_.box.to_user(x));
     }
   }
 
@@ -83,10 +81,7 @@ class ClusterWriteBack {
   double move2(int v) const {
     const int c = clusters_.cell_of[v];
     if (c == Clusters::none || !in_use_[c]) return 0.0;
-    const Coordinates& p = point_[c];
-    const Vector3 to(static_cast<double>(p[0]), static_cast<double>(p[1]),
-                     static_cast<double>(p[2]));
-    return ((to - point_of(mesh_, v)) / flat_.box.diagonal).squaredNorm();
+    return ((vector_of(point_[c]) - point_of(mesh_, v)) / flat_.box.diagonal).squaredNorm();
   }
 
   /// All values are read before the first is written.
@@ -109,31 +104,14 @@ class ClusterWriteBack {
       const CellFace& face = clusters_.faces[i];
       left[face.origin] = true;
       if (wedges) write_wedges(mesh_.face[face.origin], (*wedges)[i]);
-      connect_face(face);
+      const auto [a, b, c] = face.cells;
+      const std::vector<Vector3>& at = representatives_.position;
+      connect_face(mesh_, face.origin, {&vertex(a), &vertex(b), &vertex(c)},
+                   moves(a) || moves(b) || moves(c), face_plane({at[a], at[b], at[c]}).normal);
     }
     for (std::size_t f = 0; f < left.size(); ++f)
       if (!left[f] && FlatMesh::is_face(flat_.faces[f]))
         vcg::tri::Allocator<MeshType>::DeleteFace(mesh_, mesh_.face[f]);
-  }
-
-  /// A face that does not change keeps its normal and its marks of edges inside polygons, which
-  /// mean nothing once the polygon is cut.
-  void connect_face(const CellFace& cell_face) {
-    auto& face = mesh_.face[cell_face.origin];
-    bool changed = false;
-    for (int i = 0; i < 3; ++i) {
-      Vertex& to = vertex(cell_face.cells[i]);
-      changed = changed || face.cV(i) != &to || to.cP() != point_[cell_face.cells[i]];
-      face.V(i) = &to;
-    }
-    if (!changed) return;
-    face.ClearAllF();
-    if (!vcg::tri::HasPerFaceNormal(mesh_)) return;
-    const auto at = [&](int i) -> const Vector3& {
-      return representatives_.position[cell_face.cells[i]];
-    };
-    const Vector3 normal = face_plane({at(0), at(1), at(2)}).normal;
-    for (int k = 0; k < 3; ++k) face.N()[k] = static_cast<Scalar>(normal[k]);
   }
 
   void move_vertices() {

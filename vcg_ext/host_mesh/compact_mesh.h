@@ -5,7 +5,27 @@
 #include <vcg/complex/allocate.h>
 #include <vcg/complex/complex.h>
 
+#include <array>
+
+#include "vcg_ext/geometry/vector3.h"
+
 namespace curvdecim::detail {
+
+/// Gives a face these vertices. One that does not change keeps its normal and its marks of edges
+/// inside polygons, which mean nothing once the polygon is cut. moved: whether a vertex is.
+template <class MeshType>
+void connect_face(MeshType& mesh, int f,
+                  const std::array<typename MeshType::VertexType*, 3>& vertices, bool moved,
+                  const Vector3& normal) {
+  auto& face = mesh.face[f];
+  for (int i = 0; i < 3; ++i) {
+    moved = moved || face.cV(i) != vertices[i];
+    face.V(i) = vertices[i];
+  }
+  if (!moved) return;
+  face.ClearAllF();
+  if (vcg::tri::HasPerFaceNormal(mesh)) assign(face.N(), normal);
+}
 
 /// Compaction follows these pointers; after a change of the faces they lead nowhere.
 template <class MeshType>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cmath>
 #include <cstddef>
 #include <string>
 
@@ -22,8 +21,7 @@ void require_faces(const MeshType& mesh) {
 
 template <class MeshType>
 Vector3 point_of(const MeshType& mesh, int v) {
-  const auto& p = mesh.vert[v].cP();
-  return {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
+  return vector_of(mesh.vert[v].cP());
 }
 
 /// The vertex at a corner of a face; -1 where the face uses no living vertex of the mesh.

@@ -35,7 +35,6 @@ class WriteBack {
   }
 
  private:
-  using Scalar = typename MeshType::ScalarType;
   using Vertex = typename MeshType::VertexType;
 
   const TriangleConnectivity& connectivity() const { return copy_.mesh.connectivity; }
@@ -43,16 +42,13 @@ class WriteBack {
   Vertex& vertex(int v) { return start_vertex(copy_.mesh.vertex_origin[v]); }
   /// v: the number at the start.
   Vertex& start_vertex(int v) { return mesh_.vert[copy_.vertex_of[v]]; }
-  typename MeshType::FaceType& face(int f) { return mesh_.face[copy_.mesh.face_origin[f]]; }
 
   void move_vertices() {
     for (int v = 0; v < connectivity().vertex_slots(); ++v) {
       auto& p = vertex(v).P();
       const Vector3& x = copy_.mesh.position[v];
-      moved_[v] = in_use(v) && x != copy_.box.to_box({double(p[0]), double(p[1]), double(p[2])});
-      if (!moved_[v]) continue;
-      const Vector3 user = copy_.box.to_user(x);
-      for (int k = 0; k < 3; ++k) p[k] = static_cast<Scalar>(user[k]);
+      moved_[v] = in_use(v) && x != copy_.box.to_box(vector_of(p));
+      if (moved_[v]) assign(p, copy_.box.to_user(x));
     }
   }
 
@@ -62,26 +58,13 @@ class WriteBack {
     for (int f = 0; f < connectivity().face_slots(); ++f) {
       if (!connectivity().alive(f)) continue;
       stays[copy_.mesh.face_origin[f]] = true;
-      connect_face(face(f), f);
+      const auto [a, b, c] = connectivity().face(f);
+      connect_face(mesh_, copy_.mesh.face_origin[f], {&vertex(a), &vertex(b), &vertex(c)},
+                   moved_[a] || moved_[b] || moved_[c], copy_.mesh.plane[f].normal);
     }
     for (std::size_t f = 0; f < stays.size(); ++f)
       if (!stays[f] && !mesh_.face[f].IsD())
         vcg::tri::Allocator<MeshType>::DeleteFace(mesh_, mesh_.face[f]);
-  }
-
-  /// Faces that did not change keep their normals and their marks of edges inside polygons, which
-  /// mean nothing once the polygon is cut.
-  void connect_face(typename MeshType::FaceType& face, int f) {
-    bool changed = false;
-    for (int i = 0; i < 3; ++i) {
-      const int v = connectivity().face(f)[i];
-      changed = changed || face.cV(i) != &vertex(v) || moved_[v];
-      face.V(i) = &vertex(v);
-    }
-    if (!changed) return;
-    face.ClearAllF();
-    if (vcg::tri::HasPerFaceNormal(mesh_))
-      for (int k = 0; k < 3; ++k) face.N()[k] = static_cast<Scalar>(copy_.mesh.plane[f].normal[k]);
   }
 
   /// Tells by vertex of the host's mesh whether a face uses it.
@@ -102,7 +85,8 @@ class WriteBack {
 
   void write_all_wedges(const WedgeTexture& wedges) {
     for (int f = 0; f < connectivity().face_slots(); ++f)
-      if (connectivity().alive(f)) write_wedges(face(f), wedges.of_face(f));
+      if (connectivity().alive(f))
+        write_wedges(mesh_.face[copy_.mesh.face_origin[f]], wedges.of_face(f));
   }
 
   // --- attributes: double while they are blended, so that rounding does not add up ---------------
