@@ -19,10 +19,6 @@ struct CellFace {
   int origin;
 };
 
-inline bool is_degenerate(const Face& face) {
-  return face[0] == face[1] || face[1] == face[2] || face[2] == face[0];
-}
-
 /// The different faces between cells. Of several between the same three, the one stays that came
 /// first among those of the more frequent orientation.
 class CellFaceSet {

@@ -10,6 +10,11 @@
 
 namespace curvdecim::detail {
 
+/// True if a vertex comes twice.
+inline bool is_degenerate(const Face& face) {
+  return face[0] == face[1] || face[1] == face[2] || face[2] == face[0];
+}
+
 /// What a vertex is to the faces that may change.
 enum class VertexRole : std::uint8_t {
   Unused,  ///< no such face uses it

@@ -13,7 +13,6 @@
 #include "vcg_ext/clustering/clustering_operator.h"
 #include "vcg_ext/host_mesh/attributes.h"
 #include "vcg_ext/host_mesh/compact_mesh.h"
-#include "vcg_ext/host_mesh/input_checks.h"
 #include "vcg_ext/report.h"
 
 namespace curvdecim::detail {
@@ -81,7 +80,8 @@ class ClusterWriteBack {
   double move2(int v) const {
     const int c = clusters_.cell_of[v];
     if (c == Clusters::none || !in_use_[c]) return 0.0;
-    return ((vector_of(point_[c]) - point_of(mesh_, v)) / flat_.box.diagonal).squaredNorm();
+    const Vector3 step = vector_of(point_[c]) - vector_of(mesh_.vert[v].cP());
+    return (step / flat_.box.diagonal).squaredNorm();
   }
 
   /// All values are read before the first is written.

@@ -2,17 +2,15 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <numeric>
-#include <tuple>
 #include <utility>
 #include <vector>
 
-#include "vcg_ext/errors.h"
 #include "vcg_ext/geometry/morton.h"
-#include "vcg_ext/host_mesh/input_checks.h"
+#include "vcg_ext/host_mesh/read_flat.h"
 #include "vcg_ext/host_mesh/working_copy.h"
-#include "vcg_ext/parallel/parallel.h"
 #include "vcg_ext/run/target.h"
 
 namespace curvdecim::detail {
@@ -22,81 +20,57 @@ template <class MeshType>
 class WorkingCopyReader {
  public:
   WorkingCopyReader(const MeshType& mesh, const Parallel& parallel)
-      : mesh_(mesh), parallel_(parallel), working_of_(mesh.vert.size(), unused) {}
+      : mesh_(mesh), parallel_(parallel) {}
 
   /// Throws InputError where there is nothing to decimate or a face uses a vertex that it cannot.
   WorkingCopy read() {
-    require_faces(mesh_);
-    read_faces();
-    if (faces_.empty())
-      throw InputError("Every face of the mesh uses a vertex twice; nothing is left to decimate.");
-    collect_vertices();
-    normalize();
-    number_vertices();
+    number_vertices(read_faces());
     order_faces();
     finish();
     return std::move(copy_);
   }
 
  private:
-  static constexpr int unused = -1;
-
-  void read_faces() {
-    faces_.reserve(mesh_.fn), face_of_.reserve(mesh_.fn);
-    for (std::size_t f = 0; f < mesh_.face.size(); ++f)
-      if (!mesh_.face[f].IsD()) read_face(static_cast<int>(f));
-  }
-
-  void read_face(int f) {
-    Face face;
-    for (int i = 0; i < 3; ++i) face[i] = usable_vertex_at(mesh_, f, i);
-    if (face[0] == face[1] || face[1] == face[2] || face[2] == face[0]) {
-      copy_.unusable.push_back(f);
-      return;
+  /// The vertices that they use come with them.
+  FlatMesh read_faces() {
+    FlatMesh flat = read_flat(mesh_, false, parallel_, DegenerateFaces::AreLeftOut);
+    copy_.box = flat.box;
+    copy_.vertex_of = vertices_in_use(flat);
+    faces_.reserve(flat.face_count), face_of_.reserve(flat.face_count);
+    for (std::size_t f = 0; f < flat.faces.size(); ++f) {
+      if (!FlatMesh::is_face(flat.faces[f])) continue;
+      const bool usable = !is_degenerate(flat.faces[f]);
+      if (usable) faces_.push_back(flat.faces[f]);
+      (usable ? face_of_ : copy_.unusable).push_back(static_cast<int>(f));
     }
-    for (int v : face) working_of_[v] = 0;
-    faces_.push_back(face);
-    face_of_.push_back(f);
-  }
-
-  void collect_vertices() {
-    for (std::size_t v = 0; v < working_of_.size(); ++v)
-      if (working_of_[v] != unused) copy_.vertex_of.push_back(static_cast<int>(v));
+    return flat;
   }
 
   /// Neighbours in space become neighbours in memory: the collapses jump about in the mesh, but
   /// each touches a small region only.
-  void number_vertices() {
+  void number_vertices(const FlatMesh& flat) {
     const int count = static_cast<int>(copy_.vertex_of.size());
     std::vector<std::pair<std::uint64_t, int>> order(count);
     parallel_.for_each(count, [&](int i) {
       const int v = copy_.vertex_of[i];
-      order[i] = {morton_code(copy_.box.to_box(point_of(mesh_, v))), v};
+      order[i] = {morton_code(flat.position[v]), v};
     });
     parallel_.sort(order.begin(), order.end());
     copy_.mesh.position.resize(count);
+    std::vector<int> working_of(flat.position.size());
     parallel_.for_each(count, [&](int i) {
       const int v = order[i].second;
       copy_.vertex_of[i] = v;
-      working_of_[v] = i;
-      copy_.mesh.position[i] = copy_.box.to_box(point_of(mesh_, v));
+      working_of[v] = i;
+      copy_.mesh.position[i] = flat.position[v];
     });
     parallel_.for_each(static_cast<int>(faces_.size()), [&](int f) {
-      for (int& v : faces_[f]) v = working_of_[v];
+      for (int& v : faces_[f]) v = working_of[v];
     });
   }
 
-  /// A face as its vertices in ascending order, and where it stands.
-  struct FaceKey {
-    int least, middle, largest, face;
-
-    bool same_vertices(const FaceKey& o) const {
-      return least == o.least && middle == o.middle && largest == o.largest;
-    }
-    bool operator<(const FaceKey& o) const {
-      return std::tie(middle, largest, face) < std::tie(o.middle, o.largest, o.face);
-    }
-  };
+  /// The vertices of a face in ascending order, and where it stands.
+  using FaceKey = std::array<int, 4>;
 
   FaceKey key_of(int f) const {
     const auto [a, b, c] = faces_[f];
@@ -114,7 +88,7 @@ class WorkingCopyReader {
     std::vector<int> end(begin.begin(), begin.end() - 1);
     for (std::size_t f = 0; f < faces_.size(); ++f) {
       const FaceKey key = key_of(static_cast<int>(f));
-      keys[end[key.least]++] = key;
+      keys[end[key[0]]++] = key;
     }
     parallel_.for_each(
         vertices, [&](int v) { std::sort(keys.begin() + begin[v], keys.begin() + begin[v + 1]); });
@@ -128,8 +102,8 @@ class WorkingCopyReader {
     std::vector<Face> faces(count);
     std::vector<int> face_of(count);
     parallel_.for_each(count, [&](int i) {
-      faces[i] = faces_[keys[i].face];
-      face_of[i] = face_of_[keys[i].face];
+      faces[i] = faces_[keys[i].back()];
+      face_of[i] = face_of_[keys[i].back()];
     });
     faces_.swap(faces);
     face_of_.swap(face_of);
@@ -140,21 +114,12 @@ class WorkingCopyReader {
     std::vector<FaceKey> keys = ordered_keys();
     std::size_t kept = 1;
     for (std::size_t i = 1; i < keys.size(); ++i)
-      if (keys[i].same_vertices(keys[kept - 1]))
-        copy_.unusable.push_back(face_of_[keys[i].face]);
+      if (std::equal(keys[i].begin(), keys[i].end() - 1, keys[kept - 1].begin()))
+        copy_.unusable.push_back(face_of_[keys[i].back()]);
       else
         keys[kept++] = keys[i];
     keys.resize(kept);
     return keys;
-  }
-
-  void normalize() {
-    Vector3 low = point_of(mesh_, copy_.vertex_of[0]), high = low;
-    for (int v : copy_.vertex_of) {
-      const Vector3 p = point_of(mesh_, v);
-      low = low.cwiseMin(p), high = high.cwiseMax(p);
-    }
-    copy_.box = unit_box(low, high);
   }
 
   void finish() {
@@ -175,7 +140,6 @@ class WorkingCopyReader {
 
   const MeshType& mesh_;
   const Parallel& parallel_;
-  std::vector<int> working_of_;  // by vcg vertex
   std::vector<Face> faces_;
   std::vector<int> face_of_;  // by working face: index in the vcg mesh
   WorkingCopy copy_;
