@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -75,8 +74,7 @@ class WedgeTexture : public CollapseObserver, public RemovalObserver {
     std::vector<std::pair<int, WedgeCoordinate>> moved;
     for (int v = 0; v < mesh.connectivity.vertex_slots(); ++v) {
       if (now[v] == mesh.position[v]) continue;
-      const auto faces = mesh.connectivity.faces_of(v);
-      moved.push_back({v, nearest(mesh, {{}, {faces.begin(), faces.end()}}, now[v])});
+      moved.push_back({v, nearest(mesh, mesh.connectivity.faces_of(v), now[v])});
     }
     for (const auto& [v, coordinate] : moved)
       for (int f : mesh.connectivity.faces_of(v))
@@ -122,7 +120,7 @@ class WedgeTexture : public CollapseObserver, public RemovalObserver {
   /// Corners of a vertex that stays keep their bits.
   void move_corners(const WorkingMesh& mesh, const Chart& chart, const EdgeNeighborhood& around,
                     const VertexMerge& merge) {
-    const WedgeCoordinate moved = nearest(mesh, chart, merge.now);
+    const WedgeCoordinate moved = nearest(mesh, chart.faces, merge.now);
     const bool keep_stays = merge.now == merge.keep_was;
     for (int f : chart.faces)
       for (int i = 0; i < 3; ++i) {
@@ -133,27 +131,16 @@ class WedgeTexture : public CollapseObserver, public RemovalObserver {
   }
 
   static bool is_wing(const EdgeNeighborhood& around, int f) {
-    for (int wing : around.wings())
-      if (wing == f) return true;
-    return false;
+    return std::count(around.wings().begin(), around.wings().end(), f) > 0;
   }
 
-  WedgeCoordinate nearest(const WorkingMesh& mesh, const Chart& chart, const Vector3& x) const {
-    WedgeCoordinate result;
-    double least = std::numeric_limits<double>::infinity();
-    for (int f : chart.faces) {
-      const Triangle triangle = mesh.triangle(f);
-      const Barycentric w = closest_point(triangle, x);
-      const double distance2 = (at(triangle, w) - x).squaredNorm();
-      if (distance2 >= least) continue;
-      least = distance2;
-      result = {0.0, 0.0, wedges_[f][0].page};
-      for (int i = 0; i < 3; ++i) {
-        if (w[i] == 0.0) continue;  // the corner may not be a number
-        result.u += w[i] * wedges_[f][i].u, result.v += w[i] * wedges_[f][i].v;
-      }
-    }
-    return result;
+  template <class Faces>
+  WedgeCoordinate nearest(const WorkingMesh& mesh, const Faces& faces, const Vector3& x) const {
+    const FacePoint point = nearest_point(faces, mesh, x);
+    if (point.face < 0) return {};
+    const FaceWedges& wedges = wedges_[point.face];
+    return {point.blended(wedges, &WedgeCoordinate::u), point.blended(wedges, &WedgeCoordinate::v),
+            wedges[0].page};
   }
 
   std::vector<FaceWedges> wedges_;  // by face

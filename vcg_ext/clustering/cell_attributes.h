@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <limits>
 #include <optional>
 #include <vector>
 
@@ -12,25 +11,6 @@
 #include "vcg_ext/mesh/wedges.h"
 
 namespace curvdecim::detail {
-
-/// A point of a face.
-struct FacePoint {
-  int face = -1;  // -1: there is none
-  Barycentric weight{};
-};
-
-/// The point of the faces nearest to x; of equals, that of the first face.
-inline FacePoint nearest_point(const FlatMesh& mesh, IndexRange faces, const Vector3& x) {
-  FacePoint nearest;
-  double least = std::numeric_limits<double>::infinity();
-  for (int f : faces) {
-    const Triangle triangle = mesh.triangle(mesh.faces[f]);
-    const Barycentric weight = closest_point(triangle, x);
-    const double distance2 = (at(triangle, weight) - x).squaredNorm();
-    if (distance2 < least) least = distance2, nearest = {f, weight};
-  }
-  return nearest;
-}
 
 /// The vertices, and their parts, that a cell's vertex has its attributes from.
 class CellBlend {
@@ -64,7 +44,7 @@ class CellBlend {
     std::vector<FacePoint> nearest(clusters.cells());
     parallel.for_each(
         clusters.cells(),
-        [&](int c) { nearest[c] = nearest_point(mesh, faces[c], representatives.position[c]); },
+        [&](int c) { nearest[c] = nearest_point(faces[c], mesh, representatives.position[c]); },
         Parallel::heavy);
     CellBlend blend;
     for (const FacePoint& point : nearest) {

@@ -39,11 +39,7 @@ inline Groups vertices_by_cell(const Clusters& clusters) {
 /// The faces with a corner in a cell.
 inline Groups faces_by_cell(const FlatMesh& mesh, const Clusters& clusters) {
   return Groups(clusters.cells(), static_cast<int>(mesh.faces.size()), [&](int f, auto take) {
-    if (!FlatMesh::is_face(mesh.faces[f])) return;
-    const auto [a, b, c] = clusters.cells_of(mesh.faces[f]);
-    take(a);
-    if (b != a) take(b);
-    if (c != a && c != b) take(c);
+    if (FlatMesh::is_face(mesh.faces[f])) for_different(clusters.cells_of(mesh.faces[f]), take);
   });
 }
 

@@ -23,9 +23,8 @@ class CellQuadrics {
   /// Every cell gets the planes of the faces that have a corner in it, each with the whole area of
   /// its face, and the planes that stand on the boundary edges.
   CellSums<Quadric> build(double boundary_weight, const Parallel& parallel) {
-    auto sums =
-        sum_over<Quadric>(static_cast<int>(mesh_.faces.size()), clusters_.cells(), parallel,
-                          [&](CellSums<Quadric>& into, int f) { add_face(into, mesh_.faces[f]); });
+    auto sums = sum_over<Quadric>(static_cast<int>(mesh_.faces.size()), clusters_.cells(), parallel,
+                                  [&](CellSums<Quadric>& into, int f) { add_face(into, f); });
     if (boundary_weight > 0.0)
       for (const BoundaryEdge& edge : boundary_edges(mesh_, parallel))
         add_edge(sums, edge, boundary_weight);
@@ -36,18 +35,15 @@ class CellQuadrics {
   bool at_boundary(int cell) const { return at_boundary_[cell]; }
 
  private:
-  void add_face(CellSums<Quadric>& sums, const Face& face) const {
+  void add_face(CellSums<Quadric>& sums, int f) const {
+    const Face& face = mesh_.faces[f];
     if (!FlatMesh::is_face(face)) return;
-    const FacePlane plane = face_plane(mesh_.triangle(face));
+    const FacePlane plane = face_plane(mesh_.triangle(f));
     if (!(plane.area > 0.0)) return;
-    const auto [a, b, c] = clusters_.cells_of(face);
     const double weight = plane.area * importance(face);
-    const auto add = [&](int cell) {
+    for_different(clusters_.cells_of(face), [&](int cell) {
       add_plane(sums[cell], cell, plane.normal, mesh_.position[face[0]], weight);
-    };
-    add(a);
-    if (b != a) add(b);
-    if (c != a && c != b) add(c);
+    });
   }
 
   double importance(const Face& face) const {
@@ -64,7 +60,7 @@ class CellQuadrics {
   /// faces and does not depend on how finely the boundary is cut up.
   void add_edge(CellSums<Quadric>& sums, const BoundaryEdge& edge, double boundary_weight) {
     const Vector3 &a = mesh_.position[edge.a], &b = mesh_.position[edge.b];
-    const FacePlane face = face_plane(mesh_.triangle(mesh_.faces[edge.face]));
+    const FacePlane face = face_plane(mesh_.triangle(edge.face));
     const Vector3 across = (b - a).cross(face.normal);
     const double length = across.norm();
     if (!(length > 0.0)) return;

@@ -97,23 +97,15 @@ class CellTexture {
 
   Groups faces_by_chart() const {
     return Groups(static_cast<int>(parent_.size()), faces(), [&](int f, auto take) {
-      if (!exists(f)) return;
-      const int a = chart_[3 * f], b = chart_[3 * f + 1], c = chart_[3 * f + 2];
-      take(a);
-      if (b != a) take(b);
-      if (c != a && c != b) take(c);
+      if (exists(f)) for_different({chart_[3 * f], chart_[3 * f + 1], chart_[3 * f + 2]}, take);
     });
   }
 
   WedgeCoordinate nearest(IndexRange faces, const Vector3& x) const {
-    const FacePoint point = nearest_point(mesh_, faces, x);
+    const FacePoint point = nearest_point(faces, mesh_, x);
     const FaceWedges& wedges = wedges_[point.face];
-    WedgeCoordinate result{0.0, 0.0, wedges[0].page};
-    for (int i = 0; i < 3; ++i) {
-      if (point.weight[i] == 0.0) continue;  // the corner may not be a number
-      result.u += point.weight[i] * wedges[i].u, result.v += point.weight[i] * wedges[i].v;
-    }
-    return result;
+    return {point.blended(wedges, &WedgeCoordinate::u), point.blended(wedges, &WedgeCoordinate::v),
+            wedges[0].page};
   }
 
   const FlatMesh& mesh_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -13,6 +14,15 @@ namespace curvdecim::detail {
 /// True if a vertex comes twice.
 inline bool is_degenerate(const Face& face) {
   return face[0] == face[1] || face[1] == face[2] || face[2] == face[0];
+}
+
+/// use(i) once for each number in a triple, in its order.
+template <class Use>
+void for_different(const std::array<int, 3>& triple, Use use) {
+  const auto [a, b, c] = triple;
+  use(a);
+  if (b != a) use(b);
+  if (c != a && c != b) use(c);
 }
 
 /// What a vertex is to the faces that may change.
@@ -37,8 +47,9 @@ struct FlatMesh {
 
   static bool is_face(const Face& face) { return face[0] >= 0; }
 
-  Triangle triangle(const Face& face) const {
-    return {position[face[0]], position[face[1]], position[face[2]]};
+  Triangle triangle(int f) const {
+    const auto [a, b, c] = faces[f];
+    return {position[a], position[b], position[c]};
   }
 };
 

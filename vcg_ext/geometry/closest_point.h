@@ -55,4 +55,34 @@ inline Barycentric closest_point(const Triangle& t, const Vector3& p) {
   return closest_point(t, (t[1] - t[0]).cross(t[2] - t[0]), p);
 }
 
+/// A point of a face.
+struct FacePoint {
+  int face = -1;  // -1: there is none
+  Barycentric weight{};
+
+  /// The blend of what a face's corners have in a member, each read only where it counts: it may
+  /// not be a number.
+  template <class Corners, class Member>
+  double blended(const Corners& corners, Member member) const {
+    double sum = 0.0;
+    for (int i = 0; i < 3; ++i)
+      if (weight[i] != 0.0) sum += weight[i] * corners[i].*member;
+    return sum;
+  }
+};
+
+/// The point of some faces nearest to x; of equals, that of the first face. Mesh: triangle(f).
+template <class Faces, class Mesh>
+FacePoint nearest_point(const Faces& faces, const Mesh& mesh, const Vector3& x) {
+  FacePoint nearest;
+  double least = std::numeric_limits<double>::infinity();
+  for (int f : faces) {
+    const Triangle triangle = mesh.triangle(f);
+    const Barycentric weight = closest_point(triangle, x);
+    const double distance2 = (at(triangle, weight) - x).squaredNorm();
+    if (distance2 < least) least = distance2, nearest = {f, weight};
+  }
+  return nearest;
+}
+
 }  // namespace curvdecim::detail
