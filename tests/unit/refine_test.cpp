@@ -7,7 +7,7 @@
 
 #include "support/drawn_meshes.h"
 #include "support/working_mesh.h"
-#include "vcg_ext/refine/refinement.h"
+#include "vcg_ext/refine/refine.h"
 
 namespace curvdecim::test {
 

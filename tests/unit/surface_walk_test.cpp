@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "vcg_ext/refine/surface_walk.h"
+#include "vcg_ext/refine/match.h"
 
 #include <gtest/gtest.h>
 

@@ -4,11 +4,141 @@
 #include <cassert>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "vcg_ext/attributes/carried.h"
-#include "vcg_ext/refine/refinement.h"
+#include "vcg_ext/mesh/working_mesh.h"
+#include "vcg_ext/parallel/parallel.h"
+#include "vcg_ext/parallel/progress_meter.h"
+#include "vcg_ext/refine/border_samples.h"
+#include "vcg_ext/refine/edge_flips.h"
+#include "vcg_ext/refine/input_samples.h"
+#include "vcg_ext/refine/input_surface.h"
+#include "vcg_ext/refine/mesh_samples.h"
+#include "vcg_ext/refine/move_guard.h"
+#include "vcg_ext/refine/vertex_fit.h"
 
 namespace curvdecim::detail {
+
+/// Moves vertices and flips edges of a decimated mesh, so that it and the input come closer to each
+/// other; the numbers of vertices and faces stay @cite hoppe1993:
+///
+///   a sweep:
+///     match samples of the input with their nearest points of the mesh,
+///       and samples of the mesh with theirs of the input               (samples, triangle_tree.h)
+///     flip the edges that lower the error                                  (edge_flips.h)
+///     steps of all vertices that fit the samples best                      (vertex_fit.h)
+///     shorten the steps that would spoil or fold a face                    (move_guard.h)
+///
+/// Locked vertices and those of non-manifold curves stay, and so does what the wedge texture has
+/// seams at; border vertices move with the boundary.
+class Refinement {
+ public:
+  /// mesh: without gaps in its numbers; input: what the mesh was before the collapses; wedges: of
+  /// the mesh, or nullptr.
+  Refinement(WorkingMesh& mesh, const InputSurface& input, const CollapsePlan& plan,
+             WedgeTexture* wedges, const Parallel& parallel)
+      : mesh_(mesh),
+        input_(input),
+        wedges_(wedges),
+        parallel_(parallel),
+        area_(total_area(input)),
+        limits_(area_, face_count()),
+        before_(mesh.position),
+        input_tree_(input, input.face_count(), parallel),
+        mesh_tree_(mesh, face_count(), parallel),
+        of_input_(input, area_, face_count()),
+        of_mesh_(input, input_tree_, area_, face_count()),
+        of_border_(input, mesh, border_share * plan.boundary_weight, limits_, parallel),
+        guard_(mesh, input, input_tree_, plan.limits.faces),
+        near_(face_count(), SurfacePoint::none) {}
+
+  /// Throws CancelRequest.
+  void run(int sweeps, ProgressMeter& progress) {
+    if (!(area_ > 0.0)) return;
+    progress.begin("Refining");
+    const std::vector<std::uint8_t> fixed = fixed_vertices();
+    for (int sweep = 0; sweep < sweeps; ++sweep) {
+      progress.set(static_cast<double>(sweep) / sweeps);
+      match();
+      EdgeFlips(mesh_, of_input_, of_mesh_, guard_, wedges_).run(near_, parallel_);
+      fit(fixed);
+    }
+  }
+
+  /// Where on the input the vertices that moved take their attributes from. Vertices have the
+  /// numbers that they had at the start.
+  std::vector<BlendStep> attributes() const {
+    std::vector<SurfacePoint> from(mesh_.position.size());
+    parallel_.for_each(
+        static_cast<int>(from.size()),
+        [&](int v) {
+          if (mesh_.position[v] != before_[v]) from[v] = on_input(v);
+        },
+        Parallel::heavy);
+    std::vector<BlendStep> steps;
+    for (std::size_t v = 0; v < from.size(); ++v)
+      if (from[v].found())
+        steps.push_back(BlendStep::at(mesh_.vertex_origin[v],
+                                      input_.connectivity.face(from[v].face), from[v].weight));
+    return steps;
+  }
+
+ private:
+  /// A border's samples against those of the surface: the border must not pull the surface along.
+  static constexpr double border_share = 0.3;
+
+  int face_count() const { return mesh_.connectivity.face_slots(); }
+
+  std::vector<std::uint8_t> fixed_vertices() const {
+    std::vector<std::uint8_t> fixed(mesh_.position.size());
+    for (std::size_t i = 0; i < fixed.size(); ++i) {
+      const int v = static_cast<int>(i);
+      fixed[i] =
+          static_cast<std::uint8_t>(mesh_.locked[i] != 0 || mesh_.kind[i] >= VertexKind::Curve ||
+                                    (wedges_ && wedges_->on_seam(mesh_, v)));
+    }
+    return fixed;
+  }
+
+  void match() {
+    mesh_tree_.refit(parallel_);
+    of_input_.match(mesh_tree_, face_count(), parallel_);
+    for (int f = 0; f < face_count(); ++f)
+      for (int i : of_input_.of_face(f)) near_[f] = of_input_.input_face(i);
+    of_mesh_.match(mesh_, near_, parallel_);
+    of_border_.match(parallel_);
+  }
+
+  void fit(const std::vector<std::uint8_t>& fixed) {
+    std::vector<Vector3> steps =
+        VertexFit(mesh_, parallel_).steps(of_input_, of_mesh_, of_border_, fixed);
+    std::vector<Vector3> now = guard_.moved(std::move(steps), near_, parallel_);
+    if (wedges_) wedges_->move(mesh_, now);
+    mesh_.position.swap(now);
+    parallel_.for_each(face_count(), [&](int f) { mesh_.update_plane(f); });
+  }
+
+  SurfacePoint on_input(int v) const {
+    return nearest_on_sheet(input_tree_, mesh_.position[v], area_vector_around(mesh_, v),
+                            of_mesh_.input_face(v), limits_);
+  }
+
+  WorkingMesh& mesh_;
+  const InputSurface& input_;
+  WedgeTexture* wedges_;
+  const Parallel& parallel_;
+  const double area_;  // of the input
+  const MatchLimits limits_;
+  const std::vector<Vector3> before_;  // by vertex
+  TriangleTree<InputSurface> input_tree_;
+  TriangleTree<WorkingMesh> mesh_tree_;
+  InputSamples of_input_;
+  MeshSamples of_mesh_;
+  BorderSamples of_border_;
+  MoveGuard guard_;
+  std::vector<int> near_;  // by face of the mesh: a face of the input near it
+};
 
 /// What has to be kept of the mesh before the collapses for refine() after them; nullopt: the plan
 /// has no refinement.
