@@ -47,10 +47,7 @@ struct FlatMesh {
 
   static bool is_face(const Face& face) { return face[0] >= 0; }
 
-  Triangle triangle(int f) const {
-    const auto [a, b, c] = faces[f];
-    return {position[a], position[b], position[c]};
-  }
+  Triangle triangle(int f) const { return triangle_of(position, faces[f]); }
 };
 
 /// The vertices that faces use which may change, ascending.

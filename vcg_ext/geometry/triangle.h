@@ -3,12 +3,19 @@
 
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include "vcg_ext/geometry/vector3.h"
 
 namespace curvdecim::detail {
 
 using Triangle = std::array<Vector3, 3>;
+
+/// The one with these corners; position: by vertex.
+inline Triangle triangle_of(const std::vector<Vector3>& position,
+                            const std::array<int, 3>& corners) {
+  return {position[corners[0]], position[corners[1]], position[corners[2]]};
+}
 
 /// Normal times area, by the right-hand rule.
 inline Vector3 area_vector(const Vector3& a, const Vector3& b, const Vector3& c) {

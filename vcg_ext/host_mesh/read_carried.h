@@ -53,12 +53,10 @@ bool has_varying_attributes(const MeshType& mesh, const std::vector<int>& vertic
 
 template <class MeshType>
 void note_faux_edges(const MeshType& mesh, DecimationReport& report) {
-  for (const auto& face : mesh.face)
-    if (!face.IsD() && face.IsAnyF()) {
-      report.notes.push_back(
-          "Marks of edges inside polygons (faux edges) are dropped where faces change.");
-      break;
-    }
+  const auto is_marked = [](const auto& face) { return !face.IsD() && face.IsAnyF(); };
+  if (std::any_of(mesh.face.begin(), mesh.face.end(), is_marked))
+    report.notes.push_back(
+        "Marks of edges inside polygons (faux edges) are dropped where faces change.");
 }
 
 /// Names what is not carried in full, apart from seams.

@@ -19,10 +19,7 @@ struct InputCopy {
   std::vector<float> weight;  // by face: how much its error counts, 1 in the mean
   std::vector<Edge> border;   // edges of one face
 
-  Triangle triangle(int f) const {
-    const auto [a, b, c] = faces[f];
-    return {position[a], position[b], position[c]};
-  }
+  Triangle triangle(int f) const { return triangle_of(position, faces[f]); }
 };
 
 /// The input as a surface, in the box of diagonal 1.
@@ -39,10 +36,7 @@ struct InputSurface {
         border(std::move(copy.border)) {}
 
   int face_count() const { return connectivity.face_slots(); }
-  Triangle triangle(int f) const {
-    const auto [a, b, c] = connectivity.face(f);
-    return {position[a], position[b], position[c]};
-  }
+  Triangle triangle(int f) const { return triangle_of(position, connectivity.face(f)); }
   double area(int f) const { return area_vector(triangle(f)).norm(); }
 };
 

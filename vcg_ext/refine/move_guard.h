@@ -51,11 +51,6 @@ class MoveGuard {
   static constexpr double least_shape_quality = 0.02;
   static constexpr int halvings = 4;  // before a step is dropped
 
-  Triangle triangle_at(int f, const std::vector<Vector3>& position) const {
-    const auto [a, b, c] = mesh_.connectivity.face(f);
-    return {position[a], position[b], position[c]};
-  }
-
   int face_count() const { return mesh_.connectivity.face_slots(); }
   int vertex_count() const { return mesh_.connectivity.vertex_slots(); }
 
@@ -112,7 +107,7 @@ class MoveGuard {
   }
 
   bool is_folded(int f, const std::vector<Vector3>& now, int hint) const {
-    const double after = facing(triangle_at(f, now), hint);
+    const double after = facing(triangle_of(now, mesh_.connectivity.face(f)), hint);
     return after < least_facing_ && after < facing(mesh_.triangle(f), hint);
   }
 

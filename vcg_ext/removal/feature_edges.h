@@ -10,7 +10,7 @@
 
 namespace curvdecim::detail {
 
-/// Whether an edge is part of a line on the mesh.
+/// Whether an edge is part of a line on the mesh; the stronger, the later.
 enum class EdgeMark : std::uint8_t {
   None,
   Feature,  ///< of one that guides
@@ -37,17 +37,10 @@ class FeatureEdges {
     });
   }
 
-  /// Marked edges of v; each counts in the face that it leads into.
-  int edges_at(int v) const {
+  /// Edges of v with this mark or a stronger one; each counts in the face that it leads into.
+  int edges_at(int v, EdgeMark least = EdgeMark::Feature) const {
     int edges = 0;
-    for (int f : connectivity_.faces_of(v)) edges += mark_from(f, v) != EdgeMark::None;
-    return edges;
-  }
-
-  /// Those of them that nothing may leave.
-  int held_edges_at(int v) const {
-    int edges = 0;
-    for (int f : connectivity_.faces_of(v)) edges += mark_from(f, v) == EdgeMark::Held;
+    for (int f : connectivity_.faces_of(v)) edges += mark_from(f, v) >= least;
     return edges;
   }
 

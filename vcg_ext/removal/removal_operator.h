@@ -98,7 +98,7 @@ class RemovalOperator {
     if (mesh_.kind[v] == VertexKind::Boundary) return along_boundary(v, scratch);
     if (is != VertexClass::InteriorEdge) return across(v, scratch);
     const RemovalAnswer answer = along_line(v, scratch);
-    return answer.refusal && lines_.held_edges_at(v) == 0 ? across(v, scratch) : answer;
+    return answer.refusal && lines_.edges_at(v, EdgeMark::Held) == 0 ? across(v, scratch) : answer;
   }
 
   Priority priority(int v, const RemovalAnswer& answer) const {
@@ -144,7 +144,7 @@ class RemovalOperator {
   /// A corner of lines that nothing may leave, or where such a line ends.
   bool stays(int v, VertexClass is) const {
     if (is == VertexClass::Simple) return false;
-    const int held = lines_.held_edges_at(v);
+    const int held = lines_.edges_at(v, EdgeMark::Held);
     return is == VertexClass::Complex || held == 1 || (held > 0 && is == VertexClass::Corner);
   }
 
@@ -254,7 +254,9 @@ class RemovalOperator {
     const auto accept = [&](const LoopTriangle& t) {
       const int side = loop_side(part, t);
       if (side < 0) return true;
-      const Triangle after = triangle(part, t);
+      const auto& corner = part.corners;
+      const Triangle after =
+          triangle_of(mesh_.position, {corner[t[0]], corner[t[1]], corner[t[2]]});
       const auto reason = face_guard_.refusal(part.faces[side], after, face_plane(after));
       if (reason) refusal = reason;
       return !reason;
@@ -266,23 +268,15 @@ class RemovalOperator {
     append_faces(
         part, filling.triangles(), [&](int f) { return lines_.mark_across(f, v); },
         part.closed ? EdgeMark::None : closing_mark(v), scratch.faces);
-    for (std::size_t i = scratch.planes.size(); i < scratch.faces.size(); ++i) {
-      const Face& c = scratch.faces[i].corners;
-      scratch.planes.push_back(
-          face_plane({mesh_.position[c[0]], mesh_.position[c[1]], mesh_.position[c[2]]}));
-    }
+    for (std::size_t i = scratch.planes.size(); i < scratch.faces.size(); ++i)
+      scratch.planes.push_back(face_plane(triangle_of(mesh_.position, scratch.faces[i].corners)));
     return {std::nullopt, filling.step(), filling.error()};
   }
 
   /// The mark of the new edge along a line; a boundary is none.
   EdgeMark closing_mark(int v) const {
     if (mesh_.kind[v] == VertexKind::Boundary) return EdgeMark::None;
-    return lines_.held_edges_at(v) > 0 ? EdgeMark::Held : EdgeMark::Feature;
-  }
-
-  Triangle triangle(const LoopPart& part, const LoopTriangle& t) const {
-    return {mesh_.position[part.corners[t[0]]], mesh_.position[part.corners[t[1]]],
-            mesh_.position[part.corners[t[2]]]};
+    return lines_.edges_at(v, EdgeMark::Held) > 0 ? EdgeMark::Held : EdgeMark::Feature;
   }
 
   WorkingMesh& mesh_;

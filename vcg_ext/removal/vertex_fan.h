@@ -65,15 +65,11 @@ class VertexFan {
 
   /// The end that no face leads to; of a closed loop that of the first face.
   int first() const {
-    for (const LinkEdge& edge : edges_)
-      if (!is_led_to(edge.from)) return edge.from;
+    for (const LinkEdge& edge : edges_) {
+      const auto leads_here = [&](const LinkEdge& other) { return other.to == edge.from; };
+      if (std::none_of(edges_.begin(), edges_.end(), leads_here)) return edge.from;
+    }
     return edges_[0].from;
-  }
-
-  bool is_led_to(int neighbor) const {
-    for (const LinkEdge& edge : edges_)
-      if (edge.to == neighbor) return true;
-    return false;
   }
 
   int leading_from(int neighbor) const {
