@@ -22,25 +22,10 @@ struct PointSum {
   }
 };
 
-/// What the elements of a mesh leave in its cells. Elements come in blocks; the sums of two blocks
-/// add up to those of both.
+/// What the elements of a mesh leave in its cells, by cell. Elements come in blocks; the sums of
+/// two blocks add up to those of both.
 template <class Sum>
-class CellSums {
- public:
-  explicit CellSums(int cells) : sums_(cells) {}
-
-  Sum& operator[](int cell) { return sums_[cell]; }
-  const Sum& operator[](int cell) const { return sums_[cell]; }
-  int size() const { return static_cast<int>(sums_.size()); }
-
-  /// Cells begin..end of another block.
-  void merge(const CellSums& later, int begin, int end) {
-    for (int cell = begin; cell < end; ++cell) sums_[cell] += later.sums_[cell];
-  }
-
- private:
-  std::vector<Sum> sums_;  // by cell
-};
+using CellSums = std::vector<Sum>;
 
 /// How many blocks are summed on their own: never by the threads, for the order of a sum shows in
 /// its last bits. Together their sums take no more room than the elements.
@@ -58,7 +43,8 @@ CellSums<Sum> sum_over(int count, int cells, const Parallel& parallel, Add add) 
     for (int i = begin; i < end; ++i) add(sums[block], i);
   });
   parallel.for_ranges(cells, [&](int begin, int end, int) {
-    for (int block = 1; block < blocks; ++block) sums[0].merge(sums[block], begin, end);
+    for (int block = 1; block < blocks; ++block)
+      for (int cell = begin; cell < end; ++cell) sums[0][cell] += sums[block][cell];
   });
   return std::move(sums[0]);
 }
