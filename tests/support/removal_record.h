@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "vcg_ext/removal/removal_observer.h"
@@ -13,30 +14,28 @@ namespace curvdecim::detail {
 class RemovalRecord : public RemovalObserver {
  public:
   void before(const WorkingMesh& mesh, const VertexFan& fan, const std::vector<NewFace>&) override {
-    begin_.push_back(slots_.size());
-    for (int f : fan.faces()) {
-      slots_.push_back(f);
-      corners_.push_back(mesh.connectivity.face(f));
-    }
+    Removal removal{fan.faces(), {}};
+    for (int f : fan.faces()) removal.corners.push_back(mesh.connectivity.face(f));
+    removals_.push_back(std::move(removal));
   }
 
-  std::size_t size() const { return begin_.size(); }
+  std::size_t size() const { return removals_.size(); }
 
   /// Inserts the vertex that was removed last; there must be one.
   void insert_last(WorkingMesh& mesh) {
-    const auto begin = static_cast<std::ptrdiff_t>(begin_.back());
-    const std::vector<int> numbers(slots_.begin() + begin, slots_.end());
-    const std::vector<Face> corners(corners_.begin() + begin, corners_.end());
-    mesh.connectivity.count(mesh.connectivity.replace(numbers, corners));
-    for (int f : numbers) mesh.update_plane(f);
-    begin_.pop_back(), slots_.resize(slots_.size() - numbers.size());
-    corners_.resize(slots_.size());
+    const auto& [slots, corners] = removals_.back();
+    mesh.connectivity.count(mesh.connectivity.replace(slots, corners));
+    for (int f : slots) mesh.update_plane(f);
+    removals_.pop_back();
   }
 
  private:
-  std::vector<std::size_t> begin_;  // by removal: where its faces begin
-  std::vector<int> slots_;          // by face around a removed vertex
-  std::vector<Face> corners_;       // the same: its corners before
+  struct Removal {
+    std::vector<int> slots;     // of the faces around the vertex
+    std::vector<Face> corners;  // the same: before
+  };
+
+  std::vector<Removal> removals_;  // in their order
 };
 
 }  // namespace curvdecim::detail
