@@ -12,7 +12,7 @@
 #include "vcg_ext/clustering/cell_attributes.h"
 #include "vcg_ext/clustering/clustering_operator.h"
 #include "vcg_ext/host_mesh/attributes.h"
-#include "vcg_ext/host_mesh/compact_mesh.h"
+#include "vcg_ext/host_mesh/change_mesh.h"
 #include "vcg_ext/report.h"
 
 namespace curvdecim::detail {

@@ -10,7 +10,7 @@
 
 #include "vcg_ext/attributes/carried.h"
 #include "vcg_ext/host_mesh/attributes.h"
-#include "vcg_ext/host_mesh/compact_mesh.h"
+#include "vcg_ext/host_mesh/change_mesh.h"
 #include "vcg_ext/host_mesh/working_copy.h"
 #include "vcg_ext/report.h"
 
