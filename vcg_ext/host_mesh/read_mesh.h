@@ -36,13 +36,16 @@ class WorkingCopyReader {
     FlatMesh flat = read_flat(mesh_, false, parallel_, DegenerateFaces::AreLeftOut);
     copy_.box = flat.box;
     copy_.vertex_of = vertices_in_use(flat);
-    faces_.reserve(flat.face_count), face_of_.reserve(flat.face_count);
-    for (std::size_t f = 0; f < flat.faces.size(); ++f) {
-      if (!FlatMesh::is_face(flat.faces[f])) continue;
-      const bool usable = !is_degenerate(flat.faces[f]);
-      if (usable) faces_.push_back(flat.faces[f]);
+    faces_.swap(flat.faces);
+    face_of_.reserve(flat.face_count);
+    for (std::size_t f = 0; f < faces_.size(); ++f) {
+      const Face face = faces_[f];
+      if (!FlatMesh::is_face(face)) continue;
+      const bool usable = !is_degenerate(face);
+      if (usable) faces_[face_of_.size()] = face;
       (usable ? face_of_ : copy_.unusable).push_back(static_cast<int>(f));
     }
+    faces_.resize(face_of_.size());
     return flat;
   }
 
