@@ -35,7 +35,7 @@ def run(job: dict) -> dict:
     report, seconds, peak_bytes = memory.measure(
         lambda: meshes.apply_filter(job["filter"], **parameters)
     )
-    meshes.save_current_mesh(job["output"])
+    meshes.save_current_mesh(job["output"], save_textures=False)  # PyMeshLab cannot save all
     return {"seconds": seconds, "peak_bytes": peak_bytes, "report": report or {}}
 
 

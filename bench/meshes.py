@@ -10,7 +10,7 @@ import pymeshlab
 from surface import Floats, Ints
 
 REPOSITORY = Path(__file__).resolve().parents[1]
-_FORMATS = (".obj", ".ply", ".off", ".stl")
+_FORMATS = (".obj", ".ply", ".off", ".stl", ".glb")
 
 
 def read_mesh(path: str | Path) -> tuple[Floats, Ints]:
@@ -44,5 +44,10 @@ def shared_folder() -> Path:
 def everything() -> list[Path]:
     """Every mesh file of PyMeshLab's samples, of our own and of the shared folder, once a name."""
     folders = (shipped("cow.obj").parent, REPOSITORY / "sample_meshes", shared_folder())
-    files = [path for folder in folders if folder.is_dir() for path in sorted(folder.iterdir())]
-    return list({path.name: path for path in files if path.suffix in _FORMATS}.values())
+    files = [path for folder in folders if folder.is_dir() for path in mesh_files(folder)]
+    return list({path.name: path for path in files}.values())
+
+
+def mesh_files(folder: Path) -> list[Path]:
+    """The mesh files of a folder, by name, without those of its own folders."""
+    return sorted(path for path in folder.iterdir() if path.suffix.lower() in _FORMATS)

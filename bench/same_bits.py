@@ -15,7 +15,6 @@ Ends with 1 when any differs.
 from __future__ import annotations
 
 import argparse
-import hashlib
 import json
 import os
 import re
@@ -36,6 +35,7 @@ import pymeshlab
 import tables
 from commits import IncomparableError, full_name, meshlab_sources, unpack
 from decimators import DEFAULT_PLUGIN
+from kept import kept
 from meshes import REPOSITORY
 from rich.console import Console
 from rich.markup import escape
@@ -205,16 +205,8 @@ def _results_of_base(plugin: Path, mesh: MeshFile, cases: list[dict[str, Any]]) 
     """The same, kept for the next call: the base does not change."""
     asked = [metadata.version("pymeshlab"), *cases]
     parts = [path.read_bytes() for path in (plugin, mesh.path, _WORKER)]
-    key = hashlib.sha256(b"".join([*parts, json.dumps(asked).encode()])).hexdigest()
-    file = _BUILD / "results" / f"{key}.json"
-    if file.is_file():
-        return json.loads(file.read_text(encoding="utf-8"))
-    results = _results(plugin, mesh, cases)
-    file.parent.mkdir(parents=True, exist_ok=True)
-    unfinished = file.with_suffix(f".{os.getpid()}")
-    unfinished.write_text(json.dumps(results), encoding="utf-8")
-    unfinished.rename(file)
-    return results
+    key = [*parts, json.dumps(asked).encode()]
+    return kept(_BUILD / "results", key, lambda: _results(plugin, mesh, cases))
 
 
 def differences(before: Result, now: Result, renamed: Mapping[str, str]) -> dict[str, str]:

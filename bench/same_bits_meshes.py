@@ -12,14 +12,13 @@ from pathlib import Path
 import numpy as np
 import pymeshlab
 from guard import bumpy_torus, ridges
-from meshes import everything, read_mesh, shared_folder, write_mesh
+from meshes import everything, mesh_files, read_mesh, shared_folder, write_mesh
 from numpy.typing import NDArray
 from same_bits_cases import PAINTED, SELECTED
 from same_bits_worker import prepare
 
 MOST_FACES = 65_000
 _QUICK_FACES = 3_100
-_FORMATS = (".obj", ".ply", ".off", ".stl", ".glb")
 
 
 @dataclass(frozen=True)
@@ -46,17 +45,13 @@ def at_hand(folder: Path, quick: bool) -> list[MeshFile]:
         return _sized(paths, _QUICK_FACES)
     real = shared_folder() / "real"
     if real.is_dir():
-        paths += [*_mesh_files(real), *_drawn_there(real / "make_cases.py", folder / "there")]
+        paths += [*mesh_files(real), *_drawn_there(real / "make_cases.py", folder / "there")]
     return _sized(paths, MOST_FACES)
 
 
 def of_folder(folder: Path) -> list[MeshFile]:
     """The meshes of one folder, the largest first."""
-    return _sized(_mesh_files(folder), MOST_FACES)
-
-
-def _mesh_files(folder: Path) -> list[Path]:
-    return sorted(path for path in folder.iterdir() if path.suffix in _FORMATS)
+    return _sized(mesh_files(folder), MOST_FACES)
 
 
 def _sized(paths: Iterable[Path], most: int) -> list[MeshFile]:
@@ -71,7 +66,7 @@ def _drawn_there(script: Path, folder: Path) -> list[Path]:
     if not script.is_file():
         return []
     subprocess.run([sys.executable, str(script), str(folder)], check=True)
-    return _mesh_files(folder)
+    return mesh_files(folder)
 
 
 def _drawn_here(folder: Path) -> list[Path]:
@@ -82,7 +77,7 @@ def _drawn_here(folder: Path) -> list[Path]:
     write_mesh(folder / "hubs_250.ply", *hubs(250, 3))
     for state in (SELECTED, PAINTED):
         _write_prepared(folder / f"waves_{state.replace(' ', '_')}.ply", state)
-    return _mesh_files(folder)
+    return mesh_files(folder)
 
 
 def hubs(blades: int, count: int) -> tuple[NDArray, NDArray]:
