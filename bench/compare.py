@@ -31,7 +31,7 @@ from workers import FilterError
 _FRACTIONS = (0.20, 0.05)
 _LEAST_FACES = 100  # smaller meshes say nothing at 5 %
 _TIME_SHARE = 0.25  # of MeshLab's time that ours may take
-_NO_DISTANCE = 1e-9  # % of the diagonal: rounding; below it an error counts as zero
+NO_DISTANCE = 1e-9  # % of the diagonal: rounding; below it an error counts as zero
 _RMS_NOISE = 1.001  # sampling repeats the RMS of equal meshes to about this factor
 
 _HEADINGS = (
@@ -78,7 +78,7 @@ class Duel:
     def ratios(self) -> dict[str, float]:
         """Ours over MeshLab's; below 1 ours is better."""
         figures = {
-            name: tables.ratio(getattr(self.ours, name), getattr(self.other, name), _NO_DISTANCE)
+            name: tables.ratio(getattr(self.ours, name), getattr(self.other, name), NO_DISTANCE)
             for name in ("rms", "max", "rms_salient", "ndev")
         }
         time = self.our_result.milliseconds / self.other_result.milliseconds
@@ -160,12 +160,12 @@ def _options() -> argparse.Namespace:
     parser.add_argument("--plugin", type=Path, default=DEFAULT_PLUGIN)
     parser.add_argument("--fraction", type=float, action="append", help="of the faces to keep")
     parser.add_argument("--repeats", type=int, default=3, help="runs for the median time")
-    parser.add_argument("--set", type=_setting, action="append", default=[], metavar="NAME=VALUE")
+    parser.add_argument("--set", type=setting, action="append", default=[], metavar="NAME=VALUE")
     parser.add_argument("--save", action="store_true", help="write bench/results/compare.md")
     return parser.parse_args()
 
 
-def _setting(text: str) -> tuple[str, Any]:
+def setting(text: str) -> tuple[str, Any]:
     """'alpha=0.5' as a name and a JSON value, or a plain text where it is not JSON."""
     name, _, value = text.partition("=")
     try:

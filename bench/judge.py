@@ -52,17 +52,24 @@ class Figures:
 
 
 class Judge:
-    """Knows the original; call it with a simplified mesh."""
+    """Knows the original; call it with a simplified mesh.
+
+    samples: a direction; None: so many that the RMS repeats within about 0.2 %.
+    """
 
     def __init__(
-        self, vertices: ArrayLike, faces: ArrayLike, regions: Mapping[str, Region] | None = None
+        self,
+        vertices: ArrayLike,
+        faces: ArrayLike,
+        regions: Mapping[str, Region] | None = None,
+        samples: int | None = None,
     ) -> None:
         raw = Surface(vertices, faces).without_unreferenced()
         low, high = raw.vertices.min(axis=0), raw.vertices.max(axis=0)
         self.diagonal = float(np.linalg.norm(high - low))
         self._shift = -(low + high) / 2
         self._original = self._normalised(raw)
-        self._count = max(LEAST_SAMPLES, SAMPLES_PER_VERTEX * len(raw.vertices))
+        self._count = samples or max(LEAST_SAMPLES, SAMPLES_PER_VERTEX * len(raw.vertices))
         self._samples = self._original.sample(self._count, _ORIGINAL_SEED)
         self._salient = _most_curved(self._original, self._samples)
         points = self._samples.points * self.diagonal - self._shift
@@ -87,6 +94,10 @@ class Judge:
             flipped=self._count_flipped(mesh),
             **topology(mesh),
         )
+
+    def flipped(self, vertices: ArrayLike, faces: ArrayLike) -> int:
+        """The figure of this name alone; for the original itself, as where its faces coincide."""
+        return self._count_flipped(self._normalised(Surface(vertices, faces)))
 
     def _normalised(self, surface: Surface) -> Surface:
         return surface.moved(self._shift, 1 / self.diagonal)

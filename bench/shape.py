@@ -30,7 +30,7 @@ def shape_of(surface: Surface) -> Shape:
     return Shape(
         angle_mean=float(angles.mean()),
         angle_low=float(np.quantile(angles, _LOW_QUANTILE)),
-        components=_components(surface),
+        components=components(surface),
         self_intersecting=_self_intersecting(surface),
     )
 
@@ -44,7 +44,8 @@ def smallest_angles(surface: Surface) -> Floats:
     return np.where(surface.areas > 0, angles.min(axis=1), 0.0)
 
 
-def _components(surface: Surface) -> int:
+def components(surface: Surface) -> int:
+    """Pieces that share no vertex."""
     compact = surface.without_unreferenced()
     start, end = compact.directed_edges.T
     size = len(compact.vertices)

@@ -52,6 +52,13 @@ class Surface:
         used, renumbered = np.unique(self.faces, return_inverse=True)
         return Surface(self.vertices[used], renumbered.reshape(-1, 3))
 
+    def welded(self) -> Surface | None:
+        """Vertices of equal position made one, without faces that lose a corner; None: all do."""
+        points, index = np.unique(self.vertices, axis=0, return_inverse=True)
+        faces = index.reshape(-1)[self.faces]
+        whole = (faces != np.roll(faces, 1, axis=1)).all(axis=1)
+        return Surface(points, faces[whole]) if whole.any() else None
+
     def moved(self, shift: Floats, scale: float) -> Surface:
         """Shifted by `shift` (3,), then multiplied by `scale`."""
         return Surface((self.vertices + shift) * scale, self.faces)
