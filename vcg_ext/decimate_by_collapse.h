@@ -11,6 +11,7 @@
 #include "vcg_ext/refine/refine.h"
 #include "vcg_ext/run/conclude.h"
 #include "vcg_ext/run/plan_collapse.h"
+#include "vcg_ext/run/plan_reading.h"
 #include "vcg_ext/run/run.h"
 
 namespace curvdecim::detail {
@@ -22,7 +23,7 @@ template <class MeshType, class Params, class WithMetric>
 DecimationReport decimate_by_collapse(MeshType& mesh, const Params& params,
                                       const Progress& progress, WithMetric with_metric) {
   return reported<DecimationReport>(counts_of(mesh), params, progress, [&](const auto& run) {
-    WorkingCopy copy = read_mesh(mesh, params.selected_only, run.parallel);
+    WorkingCopy copy = read_mesh(mesh, plan_reading(params), run.parallel);
     const auto plan = plan_collapse(params, facts_of(mesh, copy, params.selected_only));
     if (!plan) return note_small_enough(run.report);
     Carried carried = read_carried(mesh, copy, params.quality_weight, *plan, run.report);

@@ -112,6 +112,7 @@ struct DecimationParams : CommonParams {
   bool preserve_normal = true;    ///< refuse a face whose normal turns more than normal_angle
   double normal_angle = 90.0;     ///< largest turn of a face
   bool preserve_topology = true;  ///< link condition @cite dey1999
+  bool join_borders = true;       ///< those that lie on each other, where vertices carry the same
   double feature_angle = 60.0;    ///< dihedral angle from which an edge is sharp; 180: none is
 
   static constexpr auto fields() {
@@ -125,6 +126,7 @@ struct DecimationParams : CommonParams {
                    Field("preserve_normal", &P::preserve_normal),
                    Field("normal_angle", &P::normal_angle, above_up_to(0.0, 180.0, "degrees")),
                    Field("preserve_topology", &P::preserve_topology),
+                   Field("join_borders", &P::join_borders),
                    Field("feature_angle", &P::feature_angle, between(0.0, 180.0, "degrees"))));
   }
 };
@@ -231,7 +233,8 @@ enum class RemovalCriterion {
 };
 constexpr auto labels(RemovalCriterion) { return std::array{"Heap", "Passes"}; }
 
-/// Topology is kept always: preserve_topology does not count. boundary_weight is a factor on
+/// Topology is kept always, and no borders are joined: preserve_topology and join_borders do not
+/// count. boundary_weight is a factor on
 /// distances to boundary and feature lines; without preserve_boundary those to boundaries count 0.
 struct VertexRemovalParams : DecimationParams {
   RemovalCriterion criterion = RemovalCriterion::Heap;

@@ -112,11 +112,21 @@ ParameterRow<P> preserve_topology_row() {
        "Keep holes, handles and parts."});
 }
 
-/// What an edge collapse refuses to do.
+template <class P>
+ParameterRow<P> join_borders_row() {
+  return row<P>(
+      &P::join_borders, "JoinBorders", "Join borders that lie on each other",
+      {"Neighbours that share no vertex, as in files that list every face by itself, become one "
+       "surface where border edges lie on each other exactly and their vertices carry the same "
+       "colour, quality and texture coordinates. Off: such seams count as borders.",
+       "Neighbours that share no vertex become one surface."});
+}
+
+/// What an edge collapse refuses to do, and what it joins before.
 template <class P>
 ParameterRows<P> collapse_guard_rows() {
-  return {preserve_boundary_row<P>(), boundary_weight_row<P>(), preserve_normal_row<P>(),
-          normal_angle_row<P>(), preserve_topology_row<P>()};
+  return {preserve_boundary_row<P>(), boundary_weight_row<P>(),   preserve_normal_row<P>(),
+          normal_angle_row<P>(),      preserve_topology_row<P>(), join_borders_row<P>()};
 }
 
 template <class P>

@@ -100,7 +100,7 @@ struct VertexRemovalFilter {
             "all that they carry, to the bit. A manifold stays one. Edge collapse moves vertices "
             "and has a lower error. The log says what was done." +
                 bibliography({schroeder}),
-            {"preserve_topology"}};
+            {"preserve_topology", "join_borders"}};
   }
 
   static ParameterRows<Params> parameters() {

@@ -37,16 +37,16 @@ EdgeCollapseParams random_params(Dice& dice) {
   return p;
 }
 
-/// The faces that the input means: neither degenerate in index nor given twice.
+/// The faces that the input means: neither degenerate in index nor given twice in one orientation.
 Shape without_unusable_faces(Shape shape) {
   std::vector<Corners> kept, seen;
   for (const Corners& face : shape.faces) {
-    Corners sorted = face;
-    std::sort(sorted.begin(), sorted.end());
-    if (sorted[0] == sorted[1] || sorted[1] == sorted[2] ||
-        std::count(seen.begin(), seen.end(), sorted))
+    Corners turned = face;
+    std::rotate(turned.begin(), std::min_element(turned.begin(), turned.end()), turned.end());
+    if (turned[0] == turned[1] || turned[1] == turned[2] || turned[2] == turned[0] ||
+        std::count(seen.begin(), seen.end(), turned))
       continue;
-    seen.push_back(sorted);
+    seen.push_back(turned);
     kept.push_back(face);
   }
   shape.faces = kept;

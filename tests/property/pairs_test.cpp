@@ -40,6 +40,7 @@ Shape cracked_sheet() {
 EdgeCollapseParams joining(double distance, int faces) {
   EdgeCollapseParams params = to_faces(faces);
   params.pair_distance = distance;
+  params.join_borders = false;  // pairs are to do it all
   return params;
 }
 

@@ -57,6 +57,8 @@ std::vector<Call> collapses() {
   calls.push_back(collapse("MaxError", params));
   params = {}, params.preserve_topology = params.preserve_boundary = false;
   calls.push_back(collapse("TopologyOff", params));
+  params = {}, params.join_borders = false;
+  calls.push_back(collapse("BordersApart", params));
   return calls;
 }
 

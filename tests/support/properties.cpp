@@ -104,7 +104,10 @@ int count_nonmanifold_vertices(const Shape& shape, const EdgeUses& edges) {
 
 int count_duplicates(const Shape& shape) {
   std::set<Corners> seen;
-  for (Corners f : shape.faces) std::sort(f.begin(), f.end()), seen.insert(f);
+  for (Corners f : shape.faces) {
+    std::rotate(f.begin(), std::min_element(f.begin(), f.end()), f.end());
+    seen.insert(f);
+  }
   return shape.face_count() - static_cast<int>(seen.size());
 }
 

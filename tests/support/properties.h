@@ -16,7 +16,7 @@ struct Topology {
   int nonmanifold_edges = 0;
   int nonmanifold_vertices = 0;  ///< whose faces are not all connected by edges at the vertex
   int inconsistent_edges = 0;    ///< whose two faces run along them in the same direction
-  int duplicate_faces = 0;
+  int duplicate_faces = 0;       ///< of the same orientation as another
   int faces_with_repeated_index = 0;
   int unreferenced_vertices = 0;
 };

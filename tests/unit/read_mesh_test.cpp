@@ -8,6 +8,7 @@
 #include "support/drawn_meshes.h"
 #include "support/mesh_types.h"
 #include "support/properties.h"
+#include "support/touching.h"
 
 namespace curvdecim::test {
 
@@ -74,6 +75,16 @@ TEST(WorkingCopy, OfATwinKeepsTheFirstFace) {
   EXPECT_EQ(std::count(copy.mesh.face_origin.begin(), copy.mesh.face_origin.end(), 0), 1);
 }
 
+TEST(WorkingCopy, KeepsOneFaceOfEachOrientation) {
+  Shape shape = octahedron();
+  const auto [a, b, c] = shape.faces[3];
+  for (const Corners& again : {Corners{c, b, a}, Corners{b, c, a}, Corners{a, c, b}})
+    shape.faces.push_back(again);  // 8: back to back with face 3, 9: as face 3, 10: as face 8
+  const WorkingCopy copy = copy_of(shape);
+  EXPECT_EQ(sorted(copy.unusable), (std::vector<int>{9, 10}));
+  EXPECT_EQ(copy.mesh.connectivity.face_count(), 9);
+}
+
 TEST(WorkingCopy, LeavesOutDeletedAndUnusedElements) {
   BareMesh mesh;
   fill(mesh, side_by_side({one_triangle(), octahedron()}));
@@ -88,9 +99,27 @@ TEST(WorkingCopy, NamesTheFacesThatCannotBeUsed) {
   Shape shape = octahedron();
   shape.faces.insert(shape.faces.begin(), {1, 1, 2});  // 0
   shape.faces.push_back(
-      {shape.faces[1][1], shape.faces[1][0], shape.faces[1][2]});  // 9: face 1 turned over
+      {shape.faces[1][1], shape.faces[1][2], shape.faces[1][0]});  // 9: face 1 again
   EXPECT_EQ(copy_of(shape).unusable, (std::vector<int>{0, 9}));
   EXPECT_EQ(copy_of(shape).mesh.connectivity.face_count(), 8);
+}
+
+TEST(WorkingCopy, IsAManifoldWhereSheetsAreSeparated) {
+  ASSERT_EQ(topology(pinched_voxels()).nonmanifold_edges, 1);
+  for (const Shape& shape : {pinched_voxels(), soup_of(pinched_voxels()), boxes_at_an_edge(),
+                             soup_of(boxes_at_a_face(true))}) {
+    BareMesh mesh;
+    fill(mesh, shape);
+    const WorkingMesh apart =
+        read_mesh(mesh, ReadingPlan{false, true, Sheets::AreSeparated}, Parallel(1)).mesh;
+    EXPECT_TRUE(std::all_of(apart.kind.begin(), apart.kind.end(),
+                            [](VertexKind kind) { return kind == VertexKind::Interior; }));
+  }
+}
+
+TEST(WorkingCopy, KeepsSheetsTogetherOtherwise) {
+  const WorkingCopy copy = copy_of(boxes_at_an_edge());
+  EXPECT_EQ(copy.vertex_of.size(), 14u);
 }
 
 TEST(WorkingCopy, ReadsTheSelection) {

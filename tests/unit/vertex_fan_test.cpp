@@ -53,6 +53,12 @@ TEST(VertexFan, IsNoneWhereTwoFansTouch) {
   EXPECT_TRUE(around.gather(connectivity_of(bowtie()), 1));
 }
 
+TEST(VertexFan, IsNoneOfTwoFacesBackToBack) {
+  const Shape pillow{one_triangle().vertices, {{0, 1, 2}, {0, 2, 1}}};
+  VertexFan around;
+  EXPECT_FALSE(around.gather(connectivity_of(pillow), 0));
+}
+
 TEST(VertexFan, IsNoneWhereThreeSheetsMeet) {
   VertexFan around;
   EXPECT_FALSE(around.gather(connectivity_of(book(3, 2)), 1));

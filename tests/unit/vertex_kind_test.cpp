@@ -28,6 +28,10 @@ TEST(VertexKind, OfAClosedManifoldIsInterior) {
     EXPECT_EQ(count(shape, VertexKind::Interior), shape.vertex_count());
 }
 
+TEST(VertexKind, OfTwoFacesBackToBackIsInterior) {
+  EXPECT_EQ(count({one_triangle().vertices, {{0, 1, 2}, {0, 2, 1}}}, VertexKind::Interior), 3);
+}
+
 TEST(VertexKind, OfASheetIsInteriorInsideAndBoundaryAround) {
   EXPECT_EQ(count(plane_grid(4), VertexKind::Interior), 9);
   EXPECT_EQ(count(plane_grid(4), VertexKind::Boundary), 16);

@@ -7,7 +7,9 @@
 
 #include "support/drawn_meshes.h"
 #include "support/fingerprint.h"
+#include "support/properties.h"
 #include "support/rich_mesh.h"
+#include "support/touching.h"
 #include "vcg_ext/host_mesh/read_mesh.h"
 
 namespace curvdecim::test {
@@ -118,6 +120,80 @@ TEST_F(WriteBackOf, FacesThatCannotBeUsedGoWithTheVerticesThatOnlyTheyUsed) {
   EXPECT_EQ(mesh_.fn, 32);
   EXPECT_EQ(mesh_.vn, 26);
   EXPECT_EQ(mesh_.vert[25].cP(), vcg::Point3d(3, 3, 3));
+}
+
+/// Two boxes at an edge, read with a vertex of its own for each at both ends of it.
+class WriteBackOfCopies : public WriteBackOf {
+ protected:
+  void draw_boxes() {
+    draw(scaled(boxes_at_an_edge(), 0.5));
+    copy_ = read_mesh(mesh_, ReadingPlan{false, false, Sheets::AreSeparated}, Parallel(1));
+  }
+
+  /// The working vertices of a vertex of the mesh.
+  std::vector<int> copies_of(int v) const {
+    std::vector<int> copies;
+    for (std::size_t w = 0; w < copy_.vertex_of.size(); ++w)
+      if (copy_.vertex_of[w] == v) copies.push_back(static_cast<int>(w));
+    return copies;
+  }
+};
+
+TEST_F(WriteBackOfCopies, EachIsAVertexWithAllThatItCarries) {
+  draw_boxes();
+  auto custom = vcg::tri::Allocator<RichMesh>::AddPerVertexAttribute<int>(mesh_, "custom");
+  for (std::size_t v = 0; v < mesh_.vert.size(); ++v) custom[v] = static_cast<int>(v);
+  ASSERT_EQ(mesh_.vn, 14);
+  write();
+  ASSERT_EQ(mesh_.vn, 16);
+  const auto [a, b] = edge_in_common(scaled(shape_of(mesh_), 2.0));
+  const int of[] = {a, b};
+  for (int v : {14, 15}) {
+    const RichVertex &copy = mesh_.vert[v], &original = mesh_.vert[of[v - 14]];
+    EXPECT_EQ(custom[v], of[v - 14]);
+    EXPECT_EQ(copy.cP(), original.cP());
+    EXPECT_EQ(copy.cC(), original.cC());
+    EXPECT_EQ(copy.cQ(), original.cQ());
+    EXPECT_EQ(copy.cT(), original.cT());
+  }
+  EXPECT_EQ(topology(shape_of(mesh_)).nonmanifold_edges, 0);
+  EXPECT_EQ(topology(shape_of(mesh_)).unreferenced_vertices, 0);
+}
+
+TEST_F(WriteBackOfCopies, EachHasItsOwnPlaceAndValues) {
+  draw_boxes();
+  const std::vector<int> copies = copies_of(edge_in_common(boxes_at_an_edge()).first);
+  ASSERT_EQ(copies.size(), 2u);
+  for (RichVertex& v : mesh_.vert) v.Q() = 1.0;
+  const int other = copy_.mesh.connectivity.next_vertex(
+      *copy_.mesh.connectivity.faces_of(copies[1]).begin(), copies[1]);
+  mesh_.vert[copy_.vertex_of[other]].Q() = 3.0;
+  copy_.mesh.position[copies[1]] += Vector3(0.01, 0, 0);
+  write({{copies[1], {copies[1], other, other}, {0.5, 0.5, 0.0}}});
+  const int a = edge_in_common(scaled(shape_of(mesh_), 2.0)).first;
+  ASSERT_GE(a, 0);
+  EXPECT_EQ(mesh_.vert[a].cQ(), 1.0);
+  const auto moved = std::find_if(mesh_.vert.begin(), mesh_.vert.end(),
+                                  [](const RichVertex& v) { return v.cQ() == 2.0; });
+  ASSERT_NE(moved, mesh_.vert.end());
+  EXPECT_GT(moved->cP()[0], mesh_.vert[a].cP()[0]);
+}
+
+TEST_F(WriteBackOfCopies, OnlyOneThatIsLeftIsTheVertexItself) {
+  draw_boxes();
+  const int v = edge_in_common(boxes_at_an_edge()).first;
+  const std::vector<int> copies = copies_of(v);
+  TriangleConnectivity& connectivity = copy_.mesh.connectivity;
+  const int f = *connectivity.faces_of(copies[0]).begin();
+  connectivity.collapse(connectivity.next_vertex(f, copies[0]), copies[0]);
+  const vcg::Point3d place = mesh_.vert[v].cP();
+  for (int g = 0; g < connectivity.face_slots(); ++g)
+    if (connectivity.alive(g)) copy_.mesh.update_plane(g);
+  write();
+  EXPECT_EQ(mesh_.vn, 15);
+  EXPECT_EQ(mesh_.fn, 22);
+  EXPECT_EQ(mesh_.vert[v].cP(), place);
+  EXPECT_EQ(topology(shape_of(mesh_)).unreferenced_vertices, 0);
 }
 
 }  // namespace

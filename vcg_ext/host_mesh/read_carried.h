@@ -90,7 +90,8 @@ Carried read_carried(const MeshType& mesh, WorkingCopy& copy, bool quality_weigh
                      const CollapsePlan& plan, DecimationReport& report) {
   weigh_by_quality(mesh, quality_weight, copy, report);
   note_repairs(copy.mesh, copy.unusable.size(), plan.limits.keeps_topology, report);
-  if (plan.pair_distance == 0.0) note_open_seams(copy.mesh, report);
+  note_borders(copy.borders.joined, copy.borders.different, report);
+  if (plan.pair_distance == 0.0) note_open_seams(copy.mesh, copy.vertex_of, report);
   Carried carried;
   carried.blended = BlendRecord(has_varying_attributes(mesh, copy.vertex_of),
                                 expected_collapses(copy.mesh, plan.stop));
@@ -106,7 +107,7 @@ Carried read_carried(const MeshType& mesh, WorkingCopy& copy, bool quality_weigh
                      DecimationReport& report) {
   weigh_by_quality(mesh, quality_weight, copy, report);
   note_repairs(copy.mesh, copy.unusable.size(), true, report);
-  note_open_seams(copy.mesh, report);
+  note_open_seams(copy.mesh, copy.vertex_of, report);
   Carried carried;
   carried.wedges = read_wedges(mesh, copy);
   note_faux_edges(mesh, report);

@@ -4,13 +4,14 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <numeric>
 #include <utility>
 #include <vector>
 
 #include "vcg_ext/geometry/morton.h"
+#include "vcg_ext/host_mesh/join_borders.h"
 #include "vcg_ext/host_mesh/read_flat.h"
 #include "vcg_ext/host_mesh/working_copy.h"
+#include "vcg_ext/run/plan_reading.h"
 #include "vcg_ext/run/target.h"
 
 namespace curvdecim::detail {
@@ -36,6 +37,7 @@ class WorkingCopyReader {
     FlatMesh flat = read_flat(mesh_, false, parallel_, DegenerateFaces::AreLeftOut);
     copy_.box = flat.box;
     copy_.vertex_of = vertices_in_use(flat);
+    copy_.vertices_read = static_cast<int>(copy_.vertex_of.size());
     faces_.swap(flat.faces);
     face_of_.reserve(flat.face_count);
     for (std::size_t f = 0; f < faces_.size(); ++f) {
@@ -112,12 +114,24 @@ class WorkingCopyReader {
     face_of_.swap(face_of);
   }
 
-  /// The faces in order; of those with the same three vertices, the first stays.
+  /// Same vertices, same orientation.
+  bool are_doubles(const FaceKey& a, const FaceKey& b) const {
+    if (!std::equal(a.begin(), a.end() - 1, b.begin())) return false;
+    const Face &f = faces_[a.back()], &g = faces_[b.back()];
+    const auto after = [&](const Face& face) {
+      return face[(std::find(face.begin(), face.end(), a[0]) - face.begin() + 1) % 3];
+    };
+    return after(f) == after(g);
+  }
+
+  /// The faces in order; of doubles the first stays. Two faces back to back on the same three
+  /// vertices are none: closed parts that touch have such.
   std::vector<FaceKey> keys_without_duplicates() {
     std::vector<FaceKey> keys = ordered_keys();
     std::size_t kept = 1;
     for (std::size_t i = 1; i < keys.size(); ++i)
-      if (std::equal(keys[i].begin(), keys[i].end() - 1, keys[kept - 1].begin()))
+      if (are_doubles(keys[i], keys[kept - 1]) ||
+          (kept > 1 && are_doubles(keys[i], keys[kept - 2])))
         copy_.unusable.push_back(face_of_[keys[i].back()]);
       else
         keys[kept++] = keys[i];
@@ -127,14 +141,10 @@ class WorkingCopyReader {
 
   void finish() {
     WorkingMesh& mesh = copy_.mesh;
-    const int count = static_cast<int>(mesh.position.size());
-    mesh.connectivity = TriangleConnectivity(std::move(faces_), count);
-    mesh.kind = classify_vertices(mesh.connectivity, parallel_);
-    mesh.locked.assign(count, 0);
+    connect(mesh, std::move(faces_), parallel_);
+    mesh.locked.assign(mesh.position.size(), 0);
     mesh.plane.resize(mesh.connectivity.face_slots());
     parallel_.for_each(mesh.connectivity.face_slots(), [&](int f) { mesh.update_plane(f); });
-    mesh.vertex_origin.resize(count);
-    std::iota(mesh.vertex_origin.begin(), mesh.vertex_origin.end(), 0);
     copy_.selected.resize(face_of_.size());
     parallel_.for_each(static_cast<int>(face_of_.size()),
                        [&](int f) { copy_.selected[f] = mesh_.face[face_of_[f]].IsS(); });
@@ -157,6 +167,15 @@ WorkingCopy read_mesh(const MeshType& mesh, bool selected_only, const Parallel& 
   return copy;
 }
 
+/// The same, with vertices that are not the host's where the plan asks for it.
+template <class MeshType>
+WorkingCopy read_mesh(const MeshType& mesh, const ReadingPlan& plan, const Parallel& parallel) {
+  WorkingCopy copy = read_mesh(mesh, plan.selected_only, parallel);
+  if (plan.joins_borders) join_borders(mesh, copy, parallel);
+  if (plan.sheets == Sheets::AreSeparated) separate_sheets(copy, parallel);
+  return copy;
+}
+
 template <class MeshType>
 Counts counts_of(const MeshType& mesh) {
   return {mesh.fn, mesh.vn};
@@ -171,7 +190,7 @@ InputFacts facts_of(const MeshType& mesh, const WorkingCopy& copy, bool selected
           count_candidates(mesh, selected_only),
           copy.mesh.connectivity.face_count(),
           static_cast<int>(staying),
-          copy.mesh.connectivity.vertex_count(),
+          copy.vertices_read,
           copy.box.diagonal};
 }
 

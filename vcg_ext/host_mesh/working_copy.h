@@ -5,24 +5,68 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <numeric>
+#include <utility>
 #include <vector>
 
 #include "vcg_ext/errors.h"
 #include "vcg_ext/geometry/unit_box.h"
+#include "vcg_ext/mesh/sheets.h"
 #include "vcg_ext/mesh/working_mesh.h"
 
 namespace curvdecim::detail {
 
+/// Pairs of border edges that lie on each other.
+struct BorderCounts {
+  int joined = 0;     // for the run
+  int different = 0;  // not joined, since their vertices carry different values
+};
+
 /// A host's mesh as index arrays, which the run changes, with the way back, which it does not.
 struct WorkingCopy {
   WorkingMesh mesh;
-  std::vector<int> vertex_of;  // by working vertex at the start: index in the host's mesh
+  std::vector<int> vertex_of;  // by working vertex at the start: index in the host's mesh, which
+                               // several may have
   std::vector<int>
       unusable;  // the host's faces left out, to be removed: an index twice, or a double
   std::vector<int> left_alone;         // the host's faces left out that stay
   std::vector<std::uint8_t> selected;  // by working face at the start: 1 if it is
+  int vertices_read = 0;               // of the host's mesh
+  BorderCounts borders;
   UnitBox box;
 };
+
+/// The faces of a mesh make its adjacency; vertices have the numbers that they start with.
+inline void connect(WorkingMesh& mesh, std::vector<Face> faces, const Parallel& parallel) {
+  const int count = static_cast<int>(mesh.position.size());
+  mesh.connectivity = TriangleConnectivity(std::move(faces), count);
+  mesh.kind = classify_vertices(mesh.connectivity, parallel);
+  mesh.vertex_origin.resize(count);
+  std::iota(mesh.vertex_origin.begin(), mesh.vertex_origin.end(), 0);
+}
+
+/// Gives the faces of a copy, as it was read, other vertices in the same places.
+inline void reconnect(WorkingCopy& copy, Revertexed now, const Parallel& parallel) {
+  const auto take = [&](auto& by_vertex) {
+    const auto was = by_vertex;
+    by_vertex.resize(now.old_of.size());
+    for (std::size_t v = 0; v < now.old_of.size(); ++v) by_vertex[v] = was[now.old_of[v]];
+  };
+  take(copy.mesh.position), take(copy.mesh.locked), take(copy.vertex_of);
+  connect(copy.mesh, std::move(now.faces), parallel);
+}
+
+/// Gives every sheet its own vertex where several touch. Vertices that are locked stay one. What
+/// touches itself, so that its material is one piece around both ends of the edge, is parted where
+/// the air is not.
+inline void separate_sheets(WorkingCopy& copy, const Parallel& parallel) {
+  const auto is_singular = [](VertexKind kind) { return kind >= VertexKind::Curve; };
+  for (Between between : {Between::Material, Between::Air}) {
+    if (std::none_of(copy.mesh.kind.begin(), copy.mesh.kind.end(), is_singular)) return;
+    Revertexed apart = separated_sheets(copy.mesh, between);
+    if (!apart.faces.empty()) reconnect(copy, std::move(apart), parallel);
+  }
+}
 
 [[noreturn]] inline void refuse_empty_selection() {
   throw InputError(

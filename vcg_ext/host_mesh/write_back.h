@@ -22,9 +22,13 @@ template <class MeshType>
 class WriteBack {
  public:
   WriteBack(MeshType& mesh, const WorkingCopy& copy)
-      : mesh_(mesh), copy_(copy), moved_(copy.mesh.position.size(), false) {}
+      : mesh_(mesh),
+        copy_(copy),
+        moved_(copy.mesh.position.size(), false),
+        place_of_(copy.vertex_of.size(), none) {}
 
   void run(const Carried& carried) {
+    place_vertices();
     blend_attributes(carried);
     if (carried.wedges) write_all_wedges(*carried.wedges);
     move_vertices();
@@ -37,17 +41,48 @@ class WriteBack {
  private:
   using Vertex = typename MeshType::VertexType;
 
+  static constexpr int none = -1;
+
   const TriangleConnectivity& connectivity() const { return copy_.mesh.connectivity; }
   bool in_use(int v) const { return connectivity().faces_of(v).size() > 0; }
-  Vertex& vertex(int v) { return start_vertex(copy_.mesh.vertex_origin[v]); }
+  int start_of(int v) const { return copy_.mesh.vertex_origin[v]; }
+  Vertex& vertex(int v) { return mesh_.vert[place_of_[start_of(v)]]; }
   /// v: the number at the start.
-  Vertex& start_vertex(int v) { return mesh_.vert[copy_.vertex_of[v]]; }
+  const Vertex& start_vertex(int v) const { return mesh_.vert[copy_.vertex_of[v]]; }
+
+  /// Of the vertices that were one in the host's mesh and are left, the first goes there, and each
+  /// of the others to a new one with all that it carries.
+  void place_vertices() {
+    std::vector<bool> taken(mesh_.vert.size(), false);
+    std::vector<int> copied;
+    for (int v = 0; v < connectivity().vertex_slots(); ++v) {
+      if (!in_use(v)) continue;
+      const int own = copy_.vertex_of[start_of(v)];
+      place_of_[start_of(v)] = taken[own] ? static_cast<int>(taken.size() + copied.size()) : own;
+      if (taken[own]) copied.push_back(own);
+      taken[own] = true;
+    }
+    add_copies_of(copied);
+  }
+
+  void add_copies_of(const std::vector<int>& vertices) {
+    if (vertices.empty()) return;
+    std::size_t place = mesh_.vert.size();
+    vcg::tri::Allocator<MeshType>::AddVertices(mesh_, vertices.size());
+    for (int v : vertices) {
+      mesh_.vert[place].ImportData(mesh_.vert[v]);
+      for (const auto& attribute : mesh_.vert_attr)
+        attribute._handle->CopyValue(place, v, attribute._handle);
+      ++place;
+    }
+  }
 
   void move_vertices() {
     for (int v = 0; v < connectivity().vertex_slots(); ++v) {
+      if (!in_use(v)) continue;
       auto& p = vertex(v).P();
       const Vector3& x = copy_.mesh.position[v];
-      moved_[v] = in_use(v) && x != copy_.box.to_box(vector_of(p));
+      moved_[v] = x != copy_.box.to_box(vector_of(p));
       if (moved_[v]) assign(p, copy_.box.to_user(x));
     }
   }
@@ -105,7 +140,7 @@ class WriteBack {
     steps.blended.for_each(note);
     std::for_each(steps.resampled.begin(), steps.resampled.end(), note);
     for (std::size_t v = 0; v < values.size(); ++v)
-      if (changed[v]) write(start_vertex(static_cast<int>(v)), values[v]);
+      if (changed[v] && place_of_[v] != none) write(mesh_.vert[place_of_[v]], values[v]);
   }
 
   void blend_attributes(const Carried& steps) {
@@ -116,7 +151,8 @@ class WriteBack {
 
   MeshType& mesh_;
   const WorkingCopy& copy_;
-  std::vector<bool> moved_;  // by working vertex
+  std::vector<bool> moved_;    // by working vertex
+  std::vector<int> place_of_;  // by working vertex at the start: where in the host's mesh it goes
 };
 
 /// Makes the host's mesh what the run made of its working copy.

@@ -19,7 +19,8 @@ class VertexFan {
  public:
   static constexpr int longest = 64;  ///< faces: ordering them looks at each for each
 
-  /// False where the faces are not one fan, are not all oriented alike, or are too many.
+  /// False where the faces are not one fan, are not all oriented alike, are two back to back, or
+  /// are too many.
   bool gather(const TriangleConnectivity& connectivity, int v) {
     vertex_ = v;
     faces_.clear(), loop_.clear(), edges_.clear();
@@ -28,7 +29,7 @@ class VertexFan {
       const int from = connectivity.next_vertex(f, v);
       edges_.push_back({from, connectivity.third_vertex(f, v, from), f});
     }
-    return !edges_.empty() && walk();
+    return !edges_.empty() && walk() && !(closed() && loop_.size() == 2);
   }
 
   int vertex() const { return vertex_; }

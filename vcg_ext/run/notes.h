@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <string>
+#include <vector>
 
 #include "vcg_ext/mesh/tally.h"
 #include "vcg_ext/mesh/working_mesh.h"
@@ -40,18 +41,32 @@ inline void note_repairs(const WorkingMesh& mesh, std::size_t removed, bool keep
                            (keeps_topology ? "; there will not be more." : "."));
 }
 
+/// Pairs of border edges that lie on each other.
+inline void note_borders(int joined, int different, DecimationReport& report) {
+  if (joined > 0)
+    report.notes.push_back("Joined " + std::to_string(joined) +
+                           " pairs of border edges that lay on each other.");
+  if (different > 0)
+    report.notes.push_back(std::to_string(different) +
+                           " pairs of border edges that lie on each other were not joined: their "
+                           "vertices differ in colour, quality, texture or custom values.");
+}
+
 /// Border vertices that lie where another one lies: faces that were never joined. Vertices are in
-/// the order of a space-filling curve, so that coincident ones are neighbours.
-inline int count_coincident_borders(const WorkingMesh& mesh) {
+/// the order of a space-filling curve, so that coincident ones are neighbours. vertex_of: what they
+/// were read from; copies of one are not meant.
+inline int count_coincident_borders(const WorkingMesh& mesh, const std::vector<int>& vertex_of) {
   int count = 0;
   for (std::size_t v = 1; v < mesh.position.size(); ++v)
-    count += mesh.kind[v] == VertexKind::Boundary && mesh.position[v] == mesh.position[v - 1];
+    count += mesh.kind[v] == VertexKind::Boundary && mesh.position[v] == mesh.position[v - 1] &&
+             vertex_of[v] != vertex_of[v - 1];
   return count;
 }
 
 /// For runs that join no vertices.
-inline void note_open_seams(const WorkingMesh& mesh, DecimationReport& report) {
-  if (const int coincident = count_coincident_borders(mesh); coincident > 0)
+inline void note_open_seams(const WorkingMesh& mesh, const std::vector<int>& vertex_of,
+                            DecimationReport& report) {
+  if (const int coincident = count_coincident_borders(mesh, vertex_of); coincident > 0)
     report.notes.push_back(
         std::to_string(coincident) +
         " border vertices lie where another one lies. Such seams do not close and "

@@ -20,7 +20,7 @@ struct InputFacts {
   int candidates = 0;     // faces that may change
   int faces = 0;          // in the working copy
   int staying_faces = 0;  // of these, faces that may not change
-  int used_vertices = 0;  // in the working copy
+  int used_vertices = 0;  // of the host's mesh, read for the working copy
   double diagonal = 1.0;  // of the bounding box, in the mesh's unit
 };
 

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vcg/complex/complex.h>
+
+#include <algorithm>
+#include <cstring>
+#include <utility>
+
+#include "vcg_ext/host_mesh/working_copy.h"
+#include "vcg_ext/mesh/border_seams.h"
+
+namespace curvdecim::detail {
+
+template <class MeshType>
+bool have_the_same_custom_values(const MeshType& mesh, int v, int w) {
+  return std::all_of(mesh.vert_attr.begin(), mesh.vert_attr.end(), [&](const auto& attribute) {
+    const auto* values = attribute._handle;
+    return std::memcmp(values->At(v), values->At(w), values->SizeOf()) == 0;
+  });
+}
+
+/// True if two vertices of the host's mesh carry the same. Normals do not count: a host computes
+/// them, and at a crease every copy has that of its own faces.
+template <class MeshType>
+bool carry_the_same(const MeshType& mesh, int v, int w) {
+  const auto &a = mesh.vert[v], &b = mesh.vert[w];
+  return (!vcg::tri::HasPerVertexColor(mesh) || a.cC() == b.cC()) &&
+         (!vcg::tri::HasPerVertexQuality(mesh) || a.cQ() == b.cQ()) &&
+         (!vcg::tri::HasPerVertexRadius(mesh) || a.cR() == b.cR()) &&
+         (!vcg::tri::HasPerVertexTexCoord(mesh) || a.cT() == b.cT()) &&
+         (!vcg::tri::HasPerVertexCurvatureDir(mesh) ||
+          (a.cPD1() == b.cPD1() && a.cPD2() == b.cPD2() && a.cK1() == b.cK1() &&
+           a.cK2() == b.cK2())) &&
+         have_the_same_custom_values(mesh, v, w);
+}
+
+/// Joins borders that lie on each other where their vertices carry the same. The first one of the
+/// host's mesh stands for the others.
+template <class MeshType>
+void join_borders(const MeshType& mesh, WorkingCopy& copy, const Parallel& parallel) {
+  const auto same = [&](int v, int w) {
+    return carry_the_same(mesh, copy.vertex_of[v], copy.vertex_of[w]);
+  };
+  BorderSeams seams(copy.mesh, same, parallel);
+  Revertexed joined = seams.join();
+  copy.borders = {seams.joined(), seams.different()};
+  if (!joined.faces.empty()) reconnect(copy, std::move(joined), parallel);
+}
+
+}  // namespace curvdecim::detail

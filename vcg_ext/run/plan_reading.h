@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "vcg_ext/params.h"
+
+namespace curvdecim::detail {
+
+/// What becomes of sheets that touch: closed parts with a vertex or an edge in common.
+enum class Sheets { StayTogether, AreSeparated };
+
+/// How the host's mesh is read for a run of collapses.
+struct ReadingPlan {
+  bool selected_only = false;
+  bool joins_borders = false;  // that lie on each other
+  Sheets sheets = Sheets::StayTogether;
+};
+
+/// The topology that is preserved is that of the whole: then sheets stay together.
+inline ReadingPlan plan_reading(const DecimationParams& params) {
+  return {params.selected_only, params.join_borders,
+          params.preserve_topology ? Sheets::StayTogether : Sheets::AreSeparated};
+}
+
+/// Sheets that touch would be the first to join again where pairs may.
+inline ReadingPlan plan_reading(const EdgeCollapseParams& params) {
+  ReadingPlan plan = plan_reading(static_cast<const DecimationParams&>(params));
+  if (params.pair_distance > 0.0) plan.sheets = Sheets::StayTogether;
+  return plan;
+}
+
+}  // namespace curvdecim::detail
