@@ -35,6 +35,7 @@ class LengthTimesTurn {
   void initialize(const Parallel&) {}
   void release(const EdgeNeighborhood&, const std::vector<FacePlane>&) {}
   void merge(const VertexMerge&, const EdgeNeighborhood&) {}
+  void renew(int, int) {}
   void renumber(const Renumbering&) {}
 
  private:

@@ -105,15 +105,15 @@ struct CommonParams {
 struct DecimationParams : CommonParams {
   static constexpr int no_target = std::numeric_limits<int>::max();
 
-  int target_faces = no_target;   ///< stop at this many faces
-  int target_vertices = 0;        ///< stop at this many vertices; 0: not used
-  double max_error = 0.0;         ///< two-sided distance bound; 0: no bound
-  bool preserve_boundary = true;  ///< boundary vertices stay on the boundary curve
-  bool preserve_normal = true;    ///< refuse a face whose normal turns more than normal_angle
-  double normal_angle = 90.0;     ///< largest turn of a face
-  bool preserve_topology = true;  ///< link condition @cite dey1999
-  bool join_borders = true;       ///< those that lie on each other, where vertices carry the same
-  double feature_angle = 60.0;    ///< dihedral angle from which an edge is sharp; 180: none is
+  int target_faces = no_target;    ///< stop at this many faces
+  int target_vertices = 0;         ///< stop at this many vertices; 0: not used
+  double max_error = 0.0;          ///< two-sided distance bound; 0: no bound
+  bool preserve_boundary = true;   ///< boundary vertices stay on the boundary curve
+  bool preserve_normal = true;     ///< refuse a face whose normal turns more than normal_angle
+  double normal_angle = 90.0;      ///< largest turn of a face
+  bool preserve_topology = false;  ///< link condition @cite dey1999; off: gives way by size
+  bool join_borders = true;        ///< those that lie on each other, where vertices carry the same
+  double feature_angle = 60.0;     ///< dihedral angle from which an edge is sharp; 180: none is
 
   static constexpr auto fields() {
     using P = DecimationParams;

@@ -58,6 +58,10 @@ struct DecimationReport {
   double cost_last = 0.0;  ///< cost of the last step, for a mesh of diagonal 1
   Rejections rejected;
   std::int64_t pairs_contracted = 0;  ///< merges of unconnected vertices, with pair_distance
+  std::int64_t parts_removed = 0;     ///< pieces of the surface that vanished
+  std::int64_t holes_closed = 0;      ///< that had come down to three edges
+  std::int64_t handles_cut = 0;       ///< handles, tunnels and necks
+  double largest_removed = 0.0;       ///< diameter of the largest of these when it went
   double seconds = 0.0;
   std::vector<std::string> notes;  ///< repairs, warnings and the reason of the stop, for the log
 };

@@ -47,6 +47,7 @@ struct AlgebraicSphereFilter {
   static ResultRows<Report, Params> results() {
     return joined<ResultRow<Report, Params>>({count_results<Report, Params>(),
                                               {bound_result<Report, Params>()},
+                                              topology_results<Report, Params>(),
                                               collapse_results<Report, Params>()});
   }
 

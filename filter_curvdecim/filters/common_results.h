@@ -40,6 +40,25 @@ ResultRow<R, P> bound_result() {
   return only_if(bounded, max_error_result<R, P>("; only with `MaxError`"));
 }
 
+/// What gave way where the topology is not preserved.
+template <class R, class P>
+ResultRows<R, P> topology_results() {
+  const auto gives_way = [](const R&, const P& params) {
+    return !params.preserve_topology && !(params.max_error > 0.0);
+  };
+  const std::string when = "; not with `PreserveTopology`";
+  return {only_if(gives_way, result<R, P>("parts_removed", "parts", "pieces that vanished" + when,
+                                          &R::parts_removed)),
+          only_if(gives_way, result<R, P>("holes_closed", "holes", "small holes that closed" + when,
+                                          &R::holes_closed)),
+          only_if(gives_way,
+                  result<R, P>("handles_cut", "handles",
+                               "handles, tunnels and necks that were cut" + when, &R::handles_cut)),
+          only_if(gives_way, result<R, P>("largest_removed", length_unit,
+                                          "diameter of the largest of these when it went" + when,
+                                          &R::largest_removed))};
+}
+
 template <class R, class P>
 ResultRow<R, P> cost_last_result(const std::string& meaning) {
   return result<R, P>("cost_last", "for a mesh of diagonal 1", meaning, &R::cost_last);

@@ -86,30 +86,31 @@ ParameterRow<P> boundary_weight_row(
 }
 
 template <class P>
-ParameterRow<P> preserve_normal_row() {
-  return row<P>(
-      &P::preserve_normal, "PreserveNormal", "Preserve normal",
-      {"Refuse a step that turns a face by more than <i>Largest turn of a face</i>. Switch off "
-       "only when folded faces do not matter.",
-       "Up to the angle below."});
+ParameterRow<P> preserve_normal_row(
+    const ParameterText& text = {
+        "Refuse a step that turns a face by more than <i>Largest turn of a face</i>. Switch off "
+        "only when folded faces do not matter.",
+        "Up to the angle below."}) {
+  return row<P>(&P::preserve_normal, "PreserveNormal", "Preserve normal", text);
 }
 
 template <class P>
-ParameterRow<P> normal_angle_row() {
-  return row<P>(
-      &P::normal_angle, "NormalAngle", "Largest turn of a face (degrees)",
-      {"Used with <i>Preserve normal</i>. Less keeps the orientation of faces closer and may stop "
-       "before the target; above 90 faces may flip.",
-       "Less may stop before the target; above 90 faces may flip."});
+ParameterRow<P> normal_angle_row(
+    const ParameterText& text = {
+        "Used with <i>Preserve normal</i>. Less keeps the orientation of faces closer and may stop "
+        "before the target; above 90 faces may flip.",
+        "Less may stop before the target; above 90 faces may flip."}) {
+  return row<P>(&P::normal_angle, "NormalAngle", "Largest turn of a face (degrees)", text);
 }
 
 template <class P>
 ParameterRow<P> preserve_topology_row() {
   return row<P>(
       &P::preserve_topology, "PreserveTopology", "Preserve topology",
-      {"Refuse a collapse that closes a hole, pinches a handle, joins parts or makes an edge of "
-       "three faces. With <i>Maximum error</i> such a collapse is always refused.",
-       "Keep holes, handles and parts."});
+      {"Keep every part, hole and handle. Off, those smaller than the error reached may go, so "
+       "that "
+       "every target is met and a manifold stays one. <i>Maximum error</i> keeps them always.",
+       "Keep parts, holes and handles."});
 }
 
 template <class P>
@@ -119,14 +120,27 @@ ParameterRow<P> join_borders_row() {
       {"Neighbours that share no vertex, as in files that list every face by itself, become one "
        "surface where border edges lie on each other exactly and their vertices carry the same "
        "colour, quality and texture coordinates. Off: such seams count as borders.",
-       "Neighbours that share no vertex become one surface."});
+       "Close what shares no vertex."});
 }
 
-/// What an edge collapse refuses to do, and what it joins before.
+/// What an edge collapse refuses to do, or does only where all else costs more, and what it joins
+/// before.
 template <class P>
 ParameterRows<P> collapse_guard_rows() {
-  return {preserve_boundary_row<P>(), boundary_weight_row<P>(),   preserve_normal_row<P>(),
-          normal_angle_row<P>(),      preserve_topology_row<P>(), join_borders_row<P>()};
+  return {
+      preserve_boundary_row<P>(),
+      boundary_weight_row<P>(),
+      preserve_normal_row<P>(
+          {"A step that turns a face by more than <i>Largest turn of a face</i> costs by the "
+           "face's size, so that only slivers turn, and none may fold back onto its neighbour. "
+           "Switch off only when folded faces do not matter.",
+           "Beyond the angle below only slivers turn."}),
+      normal_angle_row<P>(
+          {"Used with <i>Preserve normal</i>. Less keeps the orientation of faces closer; above "
+           "90 faces may flip.",
+           "Less keeps faces closer; above 90 they may flip."}),
+      preserve_topology_row<P>(),
+      join_borders_row<P>()};
 }
 
 template <class P>

@@ -24,19 +24,16 @@ struct EdgeCollapseFilter {
   static Changes changed(const Report& report) { return change_of_shape(report); }
 
   static About about() {
-    constexpr Reference yao = {
-        "L. Yao, S. Huang, H. Xu, P. Li",
-        "Quadratic error metric mesh simplification algorithm based on discrete curvature",
-        "Mathematical Problems in Engineering, 2015"};
-    return {
-        "Simplification: Curvature-Enhanced Edge Collapse",
-        "meshing_decimation_curvature_edge_collapse",
-        Category::Remeshing,
-        {true, false},
-        // One line of the highest dialog: another would push its buttons off a full HD screen.
-        "Collapse edges by quadrics (Garland, Heckbert) and keep what is curved, borders and sharp "
-        "edges. <i>Curvature Importance</i> shows what is protected." +
-            bibliography({pellizzoni_savio, yao})};
+    return {"Simplification: Curvature-Enhanced Edge Collapse",
+            "meshing_decimation_curvature_edge_collapse",
+            Category::Remeshing,
+            {true, false},
+            // A line and a paper in the highest dialog: more would push its buttons off a full HD
+            // screen.
+            "<nobr>Collapse edges by quadrics (Garland, Heckbert) and keep what is curved, borders "
+            "and sharp "
+            "edges. <i>Curvature Importance</i> shows what is protected.</nobr>" +
+                bibliography({pellizzoni_savio})};
   }
 
   static ParameterRows<Params> parameters() {
@@ -62,6 +59,7 @@ struct EdgeCollapseFilter {
                               "pairs_contracted", "pairs",
                               "unconnected vertices that merged; only with `PairDistance`",
                               &Report::pairs_contracted))},
+         topology_results<Report, Params>(),
          collapse_results<Report, Params>()});
   }
 

@@ -4,11 +4,12 @@
 namespace curvdecim::glue {
 
 std::string bibliography(std::initializer_list<Reference> references) {
-  std::string html = "<br>See:";
   // The dialog of MeshLab 2020.09 does not scroll and would be too high for a screen: a line each.
-  for (const auto& [authors, title, source] : references)
-    html += "<br><nobr><i>" + std::string(authors) + "</i> <b>\"" + title + "\"</b> " + source +
-            ".</nobr>";
+  std::string html, start = "<br><nobr>See: ";
+  for (const auto& [authors, title, source] : references) {
+    html += start + "<i>" + authors + "</i> <b>\"" + title + "\"</b> " + source + ".</nobr>";
+    start = "<br><nobr>";
+  }
   return html;
 }
 

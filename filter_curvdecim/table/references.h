@@ -11,7 +11,7 @@ struct Reference {
   const char *authors, *title, *source;
 };
 
-/// The list of references as MeshLab asks for it, in HTML.
+/// The list of references in HTML.
 std::string bibliography(std::initializer_list<Reference> references);
 
 }  // namespace curvdecim::glue

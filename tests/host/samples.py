@@ -40,8 +40,8 @@ def original(name):
 
 
 @cache
-def decimated(name, fraction):
-    """The surface and the report of the default decimation of a sample."""
+def decimated(name, fraction, **options):
+    """The surface and the report of a decimation of a sample, the default one without options."""
     meshes = load(name)
-    report = getattr(meshes, DECIMATE)(targetperc=fraction)
+    report = getattr(meshes, DECIMATE)(targetperc=fraction, **options)
     return surface(meshes), report

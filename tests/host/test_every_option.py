@@ -76,7 +76,7 @@ EFFECTIVE = {
     "boundaryweight": (100.0, {}),
     "preservenormal": (False, {"targetperc": 0.02}),
     "normalangle": (30.0, {}),
-    "preservetopology": (False, {"targetperc": 0.02}),
+    "preservetopology": (True, {"targetperc": 0.001}),
     "featureangle": (5.0, {}),
     "alpha": (5.0, {}),
     "curvaturefloor": (0.9, {}),

@@ -20,6 +20,7 @@ void expect_sound(const Shape& before) {
     EdgeCollapseParams params;
     params.target_fraction = kept;
     params.metric = metric;
+    params.preserve_topology = true;
     const auto [after, report] = decimated(before, params);
     EXPECT_PRED2(keeps_topology, expected, topology(after));
     EXPECT_EQ(report.stopped_by, StopReason::Target);

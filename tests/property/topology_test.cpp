@@ -17,7 +17,9 @@ TEST_P(AnyMesh, KeepsItsTopologyWithEveryVariant) {
   for (const Variant& variant : all_variants())
     for (int target : {before.face_count() / 4, 0}) {
       SCOPED_TRACE(variant.name + " to " + std::to_string(target));
-      const Shape after = decimated(before, variant.with_target(target)).shape;
+      AnyParams params = variant.with_target(target);
+      shared(params).preserve_topology = true;
+      const Shape after = decimated(before, params).shape;
       EXPECT_PRED2(keeps_topology, expected, topology(after));
       EXPECT_TRUE(all_finite(after));
       EXPECT_LT(after.face_count(), before.face_count());
@@ -35,9 +37,11 @@ TEST_P(AnyMesh, GivesTheSameBitsAgain) {
 TEST_P(AnyMesh, IsDecimatedInSinglePrecisionToo) {
   const Topology expected = topology(GetParam().shape);
   const int target = GetParam().shape.face_count() / 3;
-  for (const AnyParams& params : {AnyParams(to_faces(target)), AnyParams(spheres_to_faces(target))})
+  for (AnyParams params : {AnyParams(to_faces(target)), AnyParams(spheres_to_faces(target))}) {
+    shared(params).preserve_topology = true;
     EXPECT_PRED2(keeps_topology, expected,
                  topology(decimated_float(GetParam().shape, params).shape));
+  }
 }
 
 TEST_P(AnyMesh, ReportsWhatItDid) {
@@ -71,7 +75,9 @@ TEST_P(ManifoldMesh, StaysNearItself) {
   const Shape& before = GetParam().shape;
   for (const Variant& variant : all_variants()) {
     SCOPED_TRACE(variant.name);
-    const Shape after = decimated(before, variant.with_target(before.face_count() / 4)).shape;
+    AnyParams params = variant.with_target(before.face_count() / 4);
+    shared(params).preserve_topology = true;
+    const Shape after = decimated(before, params).shape;
     EXPECT_LT(two_sided_distance(before, after), near * diagonal(before));
   }
 }
@@ -83,7 +89,7 @@ class ClosedMesh : public testing::TestWithParam<NamedShape> {};
 TEST_P(ClosedMesh, CannotGoBelowATetrahedronPerComponent) {
   const Topology before = topology(GetParam().shape);
   EdgeCollapseParams params = to_faces(0);
-  params.preserve_normal = false;
+  params.preserve_normal = false, params.preserve_topology = true;
   const auto [after, report] = decimated(GetParam().shape, params);
   EXPECT_GE(after.face_count(), 4 * before.components);
   EXPECT_EQ(report.stopped_by, StopReason::NothingLeft);

@@ -10,8 +10,9 @@ using namespace detail;
 
 // Metrics as parameters ask for them, on a mesh whose own unit is that of its positions.
 
-inline QuadricMetric quadric_metric(const WorkingMesh& mesh, const EdgeCollapseParams& params) {
-  return {mesh, quadric_plan(params, params, params.preserve_topology)};
+inline QuadricMetric quadric_metric(const WorkingMesh& mesh, const EdgeCollapseParams& params,
+                                    bool keeps_links = true) {
+  return {mesh, quadric_plan(params, params, keeps_links)};
 }
 
 inline CurvatureWeightedMetric weighted_metric(const WorkingMesh& mesh, EdgeCollapseParams params) {
@@ -24,11 +25,13 @@ inline CurvatureAdditiveMetric additive_metric(const WorkingMesh& mesh, EdgeColl
   return {mesh, std::get<CurvatureAdditivePlan>(metric_plan(params, true, 1.0))};
 }
 
-/// The limits of a run, lengths in the unit of the positions.
-inline CollapseLimits limits_of(const DecimationParams& params) {
+/// The limits of a run in which nothing gives way, lengths in the unit of the positions.
+/// keeps_links: false as with pairs.
+inline CollapseLimits limits_of(const DecimationParams& params, bool keeps_links = true) {
   return {{params.preserve_normal, params.normal_angle},
-          params.preserve_topology,
+          keeps_links,
           params.preserve_boundary,
+          false,
           params.max_error};
 }
 

@@ -17,11 +17,11 @@ const Answer stays = std::nullopt;
 
 /// For an edge 0-1 between vertices of these kinds.
 Answer answer(K a, K b, const DecimationParams& params = {}, bool lock_a = false,
-              bool lock_b = false) {
+              bool lock_b = false, bool keeps_links = true) {
   WorkingMesh mesh;
   mesh.kind = {a, b};
   mesh.locked = {lock_a, lock_b};
-  return CollapseRule(mesh, limits_of(params))({0, 1});
+  return CollapseRule(mesh, limits_of(params, keeps_links))({0, 1});
 }
 
 TEST(CollapseRule, IsTheTableInTheHeader) {
@@ -63,11 +63,9 @@ TEST(CollapseRule, FreesTheBoundaryWhenItNeedNotBePreserved) {
 }
 
 TEST(CollapseRule, FreesAllButTheLockedWithoutTopology) {
-  DecimationParams params;
-  params.preserve_topology = false;
-  EXPECT_EQ(answer(K::Junction, K::Junction, params), Allowed::Anywhere);
-  EXPECT_EQ(answer(K::Boundary, K::Curve, params), Allowed::Anywhere);
-  EXPECT_EQ(answer(K::Interior, K::Interior, params, true, true), stays);
+  EXPECT_EQ(answer(K::Junction, K::Junction, {}, false, false, false), Allowed::Anywhere);
+  EXPECT_EQ(answer(K::Boundary, K::Curve, {}, false, false, false), Allowed::Anywhere);
+  EXPECT_EQ(answer(K::Interior, K::Interior, {}, true, true, false), stays);
 }
 
 }  // namespace

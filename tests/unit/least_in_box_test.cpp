@@ -5,6 +5,8 @@
 
 #include <random>
 
+#include "vcg_ext/geometry/quadric.h"
+
 namespace curvdecim::detail {
 
 namespace {

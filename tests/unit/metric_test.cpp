@@ -259,8 +259,8 @@ TEST(QuadricMetric, MemorylessCountsTheFacesAroundAMergedPairAnew) {
   const WorkingMesh input = working_mesh(torus(12, 8));
   WorkingMesh mesh = input;
   EdgeCollapseParams params = custom(Quadrics::Memoryless);
-  params.feature_angle = 180.0, params.preserve_topology = false;
-  QuadricMetric metric = quadric_metric(mesh, params);
+  params.feature_angle = 180.0;
+  QuadricMetric metric = quadric_metric(mesh, params, false);
   metric.initialize(Parallel(1));
   const Edge pair{16, 50};
   ASSERT_FALSE(mesh.connectivity.has_edge(pair.a, pair.b));

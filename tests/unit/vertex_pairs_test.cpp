@@ -178,11 +178,11 @@ std::vector<int> mates_after_a_collapse(bool locked) {
   WorkingMesh mesh =
       working_mesh(side_by_side({plane_grid(4), translated(plane_grid(4), {0.0, 0.0, 0.05})}));
   mesh.locked[12] = locked;
-  EdgeCollapseParams params;
-  params.preserve_topology = false;
-  QuadricMetric metric = quadric_metric(mesh, params);
+  const EdgeCollapseParams params;
+  QuadricMetric metric = quadric_metric(mesh, params, false);
   metric.initialize(Parallel(1));
-  CollapseOperator collapses(mesh, metric, limits_of(params), {});
+  CollapseOperator collapses(mesh, metric, limits_of(params, false),
+                             PriceUnit(mesh, CostUnit::AreaTimesSquaredLength), {});
   ProgressMeter progress({});
   collapses.add_pairs(VertexPairs(mesh, 0.06, Parallel(1), progress));
   CollapseOperator<QuadricMetric>::Scratch scratch;

@@ -59,6 +59,14 @@ class BlendRecord : public CollapseObserver {
     for (int& v : step.from) v = mesh.vertex_origin[v];
   }
 
+  void copied(const WorkingMesh& mesh, int v, int source, int number) override {
+    const int to = mesh.vertex_origin[v], from = mesh.vertex_origin[source];
+    if (is_over_surface_)
+      over_surface_[number] = on_edge(to, from, 1.0);
+    else
+      on_edge_[number] = {to, from, 1.0f};
+  }
+
   void renumber(const Renumbering&) override {}
 
   /// use(BlendStep), in the order of the collapses.

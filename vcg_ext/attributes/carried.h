@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "vcg_ext/attributes/attribute_blend.h"
+#include "vcg_ext/attributes/face_copies.h"
 #include "vcg_ext/attributes/wedge_texture.h"
 
 namespace curvdecim::detail {
@@ -13,11 +14,12 @@ namespace curvdecim::detail {
 /// carried.
 struct Carried {
   BlendRecord blended;                 // by the collapses
+  FaceCopies new_faces;
   std::optional<WedgeTexture> wedges;  // where the mesh has wedge texture coordinates
   std::vector<BlendStep> resampled;    // from the input, after all others: by the refinement
 
   CollapseObservers collapse_observers() {
-    CollapseObservers observers = {&blended};
+    CollapseObservers observers = {&blended, &new_faces};
     if (wedges) observers.push_back(&*wedges);
     return observers;
   }

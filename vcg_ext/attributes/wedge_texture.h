@@ -39,6 +39,15 @@ class WedgeTexture : public CollapseObserver, public RemovalObserver {
     for (std::size_t i = 0; i < faces.size(); ++i) wedges_[faces[i].slot] = now[i];
   }
 
+  /// Each corner as in another face of its vertex.
+  void added(const WorkingMesh& mesh, int f) override {
+    for (int i = 0; i < 3; ++i) {
+      const int v = mesh.connectivity.face(f)[i];
+      for (int g : mesh.connectivity.faces_of(v))
+        if (g != f) wedges_[f][i] = corner(mesh, g, v);
+    }
+  }
+
   void renumber(const Renumbering& numbers) override { numbers.faces(wedges_); }
 
   const FaceWedges& of_face(int f) const { return wedges_[f]; }

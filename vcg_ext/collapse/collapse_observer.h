@@ -21,6 +21,15 @@ class CollapseObserver {
   virtual void before(const WorkingMesh& mesh, const EdgeNeighborhood& around,
                       const VertexMerge& merge, int number) = 0;
 
+  /// v, which had no face, has taken over some of the faces of `source`, at the same place. number:
+  /// in the order of the collapses.
+  virtual void copied(const WorkingMesh& mesh, int v, int source, int number) {
+    (void)mesh, (void)v, (void)source, (void)number;
+  }
+
+  /// Face f, which was dead, lies between vertices that have other faces, too.
+  virtual void added(const WorkingMesh& mesh, int f) { (void)mesh, (void)f; }
+
   virtual void renumber(const Renumbering& numbers) = 0;
 };
 

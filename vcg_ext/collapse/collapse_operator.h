@@ -9,6 +9,8 @@
 
 #include "vcg_ext/collapse/collapse_observer.h"
 #include "vcg_ext/collapse/edge_queue.h"
+#include "vcg_ext/collapse/price_unit.h"
+#include "vcg_ext/collapse/topology_operator.h"
 #include "vcg_ext/collapse/vertex_pairs.h"
 #include "vcg_ext/guard/collapse_guards.h"
 #include "vcg_ext/guard/collapse_rule.h"
@@ -38,14 +40,16 @@ class CollapseOperator {
   };
 
   CollapseOperator(WorkingMesh& mesh, MetricType& metric, const CollapseLimits& limits,
-                   CollapseObservers observers)
+                   const PriceUnit& price_unit, CollapseObservers observers)
       : mesh_(mesh),
         metric_(metric),
         topology_(limits.keeps_topology),
+        price_unit_(price_unit),
         rule_(mesh, limits),
         guards_(mesh, limits),
         classifier_(mesh.connectivity),
-        observers_(std::move(observers)) {}
+        observers_(std::move(observers)),
+        topology_operator_(mesh, metric, guards_, observers_) {}
 
   int valence(int v) const { return mesh_.connectivity.faces_of(v).size(); }
   bool is_hub(int v) const { return valence(v) > hub; }
@@ -122,7 +126,9 @@ class CollapseOperator {
   /// The guards' answer, were the edge collapsed to x. Leaves its neighbourhood in the scratch.
   GuardAnswer ask(Edge edge, const Vector3& x, Scratch& scratch) const {
     scratch.around.gather(mesh_.connectivity, edge);
-    return guards_.ask(scratch.around, x, scratch.after);
+    GuardAnswer answer = guards_.ask(scratch.around, x, scratch.after);
+    if (answer.price > 0.0) answer.price = importance(edge) * price_unit_(answer.price);
+    return answer;
   }
 
   // --- collapse ---------------------------------------------------------------------------------
@@ -131,6 +137,9 @@ class CollapseOperator {
   void make_room(int count) {
     for (CollapseObserver* observer : observers_) observer->make_room(count);
   }
+
+  /// Clears obstacles and takes parts away, one at a time.
+  TopologyOperator<MetricType>& topology() { return topology_operator_; }
 
   struct Done {
     int keep, gone;
@@ -233,11 +242,13 @@ class CollapseOperator {
   WorkingMesh& mesh_;
   MetricType& metric_;
   const bool topology_;
+  const PriceUnit price_unit_;
   const CollapseRule rule_;
   CollapseGuards guards_;
   VertexPairs pairs_;
   VertexClassifier classifier_;  // where there are pairs
   const CollapseObservers observers_;
+  TopologyOperator<MetricType> topology_operator_;
 };
 
 }  // namespace curvdecim::detail

@@ -15,6 +15,9 @@ struct Schedule {
       false;  ///< in strict order: a collapse brings the costs of all edges around up to date
 };
 
+/// What a metric's costs are.
+enum class CostUnit { AreaTimesSquaredLength, SquaredLength, AreaTimesLength };
+
 /// Everything that a run of collapses needs to know, lengths in the box of diagonal 1. It is made
 /// once, from any filter's parameters (run/plan_collapse.h), and never changes.
 struct CollapsePlan {
@@ -22,6 +25,7 @@ struct CollapsePlan {
   CollapseLimits limits;
   MetricPlan metric;
   Schedule schedule;
+  CostUnit cost_unit = CostUnit::AreaTimesSquaredLength;
   double pair_distance = 0.0;    ///< unconnected vertices that are closer may merge; 0: none
   int refine_sweeps = 0;         ///< after the collapses
   double boundary_weight = 1.0;  ///< against the surface, in the refinement

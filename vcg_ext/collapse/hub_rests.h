@@ -31,7 +31,7 @@ class HubRests {
     const bool is_hub = collapses_.is_hub(busier);
     if (is_hub && passes_over(busier)) return {Rejection::HubAtRest};
     const GuardAnswer answer = collapses_.ask(edge, x, scratch);
-    if (answer.refusal && is_hub) send_to_rest(busier);
+    if (is_hub && (answer.refusal || answer.price > 0.0)) send_to_rest(busier);
     return answer;
   }
 
@@ -41,11 +41,17 @@ class HubRests {
     collapses_.gather_options(v, scratch);
     std::sort(scratch.options.begin(), scratch.options.end());
     if (scratch.options.size() > Operator::hub) scratch.options.resize(Operator::hub);
+    EdgeChoice best;
     for (const EdgeChoice& option : scratch.options) {
+      if (best < option) break;
       const Edge edge{v, option.partner};
-      if (!ask(edge, collapses_.evaluate(edge)->position, scratch).refusal) return option;
+      const auto candidate = collapses_.evaluate(edge);
+      const GuardAnswer answer = ask(edge, candidate->position, scratch);
+      if (!answer.refusal)
+        best = std::min(
+            best, {collapses_.priority(edge, candidate->cost + answer.price), option.partner});
     }
-    return {};
+    return best;
   }
 
   /// True if v rests; called for every edge that is passed over, until the rest is over.

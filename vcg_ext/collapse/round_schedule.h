@@ -8,6 +8,7 @@
 
 #include "vcg_ext/collapse/collapse_operator.h"
 #include "vcg_ext/collapse/hub_rests.h"
+#include "vcg_ext/collapse/parts.h"
 #include "vcg_ext/collapse/round_selection.h"
 #include "vcg_ext/mesh/tally.h"
 #include "vcg_ext/parallel/parallel.h"
@@ -31,11 +32,12 @@ class RoundSchedule {
   /// largest_share: of the vertices' choices that may be candidates, 0..1. Fewer take more rounds
   /// and follow the greedy order more closely.
   RoundSchedule(WorkingMesh& mesh, CollapseOperator<MetricType>& collapses,
-                HubRests<MetricType>& rests, const StopCriterion& stop, double largest_share,
-                const Parallel& parallel)
+                HubRests<MetricType>& rests, Parts* parts, const StopCriterion& stop,
+                double largest_share, const Parallel& parallel)
       : mesh_(mesh),
         collapses_(collapses),
         rests_(rests),
+        parts_(parts),
         stop_(stop),
         parallel_(parallel),
         largest_share_(largest_share),
@@ -49,12 +51,14 @@ class RoundSchedule {
   /// Collapses until the target is reached, or few candidates are left that lie apart. Returns the
   /// number of the next collapse.
   int run(ProgressMeter& progress, Tally& tally) {
+    if (parts_) parts_->offer_all();
     bool worth_while = stop_.collapses_left(mesh_.connectivity) >= least_collapses;
     while (worth_while && is_large() && !stop_.reached(mesh_.connectivity)) {
       progress.set(stop_.progress(mesh_.connectivity));
       choose();
       selection_.begin(share(), parallel_);
       worth_while = collapse_candidates(tally);
+      if (parts_) remove_parts(tally);
       if (is_sparse()) compact();
     }
     return next_number_;
@@ -74,6 +78,7 @@ class RoundSchedule {
   struct Pick {
     Edge edge{};
     bool ready = false;
+    bool clears = false;  // an obstacle, instead
     GuardAnswer answer;
     Candidate candidate{};
     Removed removed;  // expected, then true
@@ -131,7 +136,7 @@ class RoundSchedule {
     picks_.resize(count);
     parallel_.for_each(count, [&](int i) {
       Pick& pick = picks_[i];
-      pick.edge = edges[i], pick.ready = false, pick.answer = {};
+      pick.edge = edges[i], pick.ready = pick.clears = false, pick.answer = {};
       pick.removed = {mesh_.connectivity.edge_valence(pick.edge.a, pick.edge.b), 1};
     });
     for (const Pick& pick : picks_)
@@ -180,8 +185,11 @@ class RoundSchedule {
     if (!pick.ready) return;
     pick.candidate = *candidate;
     pick.answer = rests_.ask(pick.edge, candidate->position, scratch);
-    pick.ready = !pick.answer.refusal;
-    refused_[pick.edge.a] = !pick.ready;
+    const Priority price = collapses_.priority(pick.edge, candidate->cost + pick.answer.price);
+    const bool affordable = !pick.answer.refusal && !(selection_.limit() < price);
+    pick.clears = affordable && pick.answer.obstacle.kind != Obstacle::Kind::None;
+    pick.ready = affordable && !pick.clears;
+    refused_[pick.edge.a] = !affordable;
   }
 
   /// Drops picks that are ready but that the target does not need, the costliest first.
@@ -222,6 +230,42 @@ class RoundSchedule {
       tally.count_step(std::max(tally.cost_last, pick.candidate.cost), pick.answer.error_bound);
     }
     next_number_ += static_cast<int>(picks_.size());
+    if (!parts_) return;
+    for (const Pick& pick : picks_)
+      if (pick.ready) parts_->offer(pick.edge.a), parts_->offer(pick.edge.b);
+    for (const Pick& pick : picks_)
+      if (pick.clears) clear(pick.edge, tally);
+  }
+
+  /// One by one, and each looked at again: a cut reaches further than a collapse.
+  void clear(Edge edge, Tally& tally) {
+    const std::optional<Candidate> candidate =
+        collapses_.exists(edge) ? collapses_.evaluate(edge) : std::nullopt;
+    if (!candidate) return;
+    const GuardAnswer answer = collapses_.ask(edge, candidate->position, scratch_[0]);
+    if (answer.refusal || answer.obstacle.kind == Obstacle::Kind::None) return;
+    collapses_.make_room(next_number_ + collapses_.topology().most_records);
+    const std::vector<int> touched =
+        collapses_.topology().clear(edge, answer.obstacle, next_number_, tally);
+    next_number_ += collapses_.topology().most_records;
+    refused_[edge.a] = touched.empty();
+    for (int v : touched) {
+      selection_.set_merged({v, v});
+      parts_->offer(v);
+      for (int f : mesh_.connectivity.faces_of(v))
+        for (int u : mesh_.connectivity.face(f)) outdated_[u] = 1, refused_[u] = 0;
+    }
+  }
+
+  /// Those that cost no more than the round's edges, and have no more faces than are to go.
+  void remove_parts(Tally& tally) {
+    while (!stop_.reached(mesh_.connectivity)) {
+      const auto part =
+          parts_->take(selection_.limit(), mesh_.connectivity.face_count() - stop_.faces);
+      if (!part) break;
+      collapses_.topology().remove(*part, tally);
+      for (int v : part->vertices) outdated_[v] = 1;
+    }
   }
 
   /// A third of the vertices is gone since the last time, and the rest is more than a cache holds.
@@ -236,11 +280,13 @@ class RoundSchedule {
     collapses_.renumber(numbers), rests_.renumber(numbers);
     choices_.renumber(numbers), selection_.renumber(numbers);
     numbers.vertices(outdated_), numbers.vertices(refused_);
+    if (parts_) parts_->offer_all();
   }
 
   WorkingMesh& mesh_;
   Operator& collapses_;
   HubRests<MetricType>& rests_;
+  Parts* parts_;  // that may vanish; nullptr: none may
   const StopCriterion& stop_;
   const Parallel& parallel_;
   const double largest_share_;

@@ -8,6 +8,7 @@
 #include "vcg_ext/collapse/collapse_operator.h"
 #include "vcg_ext/collapse/edge_queue.h"
 #include "vcg_ext/collapse/hub_rests.h"
+#include "vcg_ext/collapse/parts.h"
 #include "vcg_ext/mesh/tally.h"
 #include "vcg_ext/parallel/parallel.h"
 #include "vcg_ext/parallel/progress_meter.h"
@@ -32,11 +33,12 @@ class StrictSchedule {
  public:
   /// eager: evaluate all edges around the merged vertex again. next_number: of the next collapse.
   StrictSchedule(WorkingMesh& mesh, CollapseOperator<MetricType>& collapses,
-                 HubRests<MetricType>& rests, const StopCriterion& stop, bool eager,
+                 HubRests<MetricType>& rests, Parts* parts, const StopCriterion& stop, bool eager,
                  int next_number)
       : mesh_(mesh),
         collapses_(collapses),
         rests_(rests),
+        parts_(parts),
         stop_(stop),
         eager_(eager),
         next_number_(next_number),
@@ -71,12 +73,14 @@ class StrictSchedule {
         },
         Parallel::heavy);
     for (int v = 0; v < count; ++v) queue_.set(v, choices[v]);
+    if (parts_) parts_->offer_all();
   }
 
   StopReason empty_queue(ProgressMeter& progress, Tally& tally) {
     for (int steps = 0; !stop_.reached(mesh_.connectivity); ++steps) {
-      if (queue_.empty()) return StopReason::NothingLeft;
       if (steps % steps_per_progress == 0) show(progress);
+      if (parts_ && remove_part(tally)) continue;
+      if (queue_.empty()) return StopReason::NothingLeft;
       const Edge edge = queue_.top();
       const auto candidate = collapses_.exists(edge) ? collapses_.evaluate(edge) : std::nullopt;
       if (!candidate || is_behind(edge, candidate->cost)) {
@@ -84,14 +88,50 @@ class StrictSchedule {
         continue;
       }
       const GuardAnswer answer = rests_.ask(edge, candidate->position, scratch_);
-      if (answer.refusal) {
-        ++tally.rejected[*answer.refusal];
+      if (answer.refusal ||
+          (answer.price > 0.0 && is_behind(edge, candidate->cost + answer.price))) {
+        if (answer.refusal) ++tally.rejected[*answer.refusal];
         queue_.set(edge.a, rests_.cheapest_possible(edge.a, scratch_));
         continue;
       }
-      collapse(*candidate, answer.error_bound, tally);
+      if (answer.obstacle.kind != Obstacle::Kind::None)
+        clear(edge, answer.obstacle, tally);
+      else
+        collapse(*candidate, answer.error_bound, tally);
     }
     return StopReason::Target;
+  }
+
+  /// Takes the cheapest part away where no edge is cheaper. A part that has more faces than are to
+  /// go stays, unless no edge is left.
+  bool remove_part(Tally& tally) {
+    const Priority limit = queue_.empty() ? Priority() : queue_.top_priority();
+    const int most = mesh_.connectivity.face_count() - stop_.faces + 1;
+    std::optional<Part> part = parts_->take(limit, most);
+    if (!part && queue_.empty() && parts_->widen())
+      part = parts_->take(limit, most + 2);  // four closed faces where a pair is to go
+    if (!part) return false;
+    collapses_.topology().remove(*part, tally);
+    for (int v : part->vertices) queue_.remove(v);
+    return true;
+  }
+
+  void clear(Edge edge, const Obstacle& obstacle, Tally& tally) {
+    collapses_.make_room(next_number_ + collapses_.topology().most_records);
+    const std::vector<int> touched =
+        collapses_.topology().clear(edge, obstacle, next_number_, tally);
+    if (touched.empty()) {
+      ++tally.rejected[Rejection::LinkCondition];
+      return queue_.remove(edge.a);
+    }
+    next_number_ += collapses_.topology().most_records;
+    for (int v : touched) {
+      queue_.set(v, collapses_.cheapest(v, scratch_));
+      collapses_.gather_mates(v, ring_);
+      for (const RingVertex& u : ring_)
+        queue_.set(u.vertex, collapses_.cheapest(u.vertex, scratch_));
+      parts_->offer(v);
+    }
   }
 
   /// True if the edge became costlier since it was queued, and is no longer the cheapest.
@@ -110,6 +150,7 @@ class StrictSchedule {
     queue_.remove(done.keep);
     collapses_.gather_mates(done.keep, ring_);
     eager_ ? requeue_ring(done.keep) : offer_ring(done.keep);
+    if (parts_) parts_->offer(done.keep);
   }
 
   void requeue_ring(int v) {
@@ -135,6 +176,7 @@ class StrictSchedule {
   WorkingMesh& mesh_;
   CollapseOperator<MetricType>& collapses_;
   HubRests<MetricType>& rests_;
+  Parts* parts_;  // that may vanish; nullptr: none may
   const StopCriterion& stop_;
   const bool eager_;
   int next_number_;  // of the next collapse

@@ -43,6 +43,12 @@ class CurrentCurvature {
     }
   }
 
+  /// The faces around v are others now.
+  void renew(int v) {
+    for (int f : mesh_.connectivity.faces_of(v)) angles_[f] = corner_angles(mesh_, f);
+    sums_[v] = curvature_sums(mesh_, v, [this](int f, int i) { return angles_[f][i]; });
+  }
+
   void renumber(const Renumbering& numbers) { numbers.faces(angles_), numbers.vertices(sums_); }
 
  private:

@@ -6,7 +6,8 @@
 
 #include "vcg_ext/guard/error_bound.h"
 #include "vcg_ext/guard/face_guard.h"
-#include "vcg_ext/guard/link_condition.h"
+#include "vcg_ext/guard/fold.h"
+#include "vcg_ext/guard/obstacle.h"
 #include "vcg_ext/mesh/working_mesh.h"
 #include "vcg_ext/report.h"
 
@@ -16,32 +17,42 @@ namespace curvdecim::detail {
 struct GuardAnswer {
   std::optional<Rejection> refusal;  ///< nullopt: it may
   double error_bound = 0.0;          ///< of the faces around, were it done; 0 without a bound
+  double price = 0.0;                ///< beside the cost: area times squared distance, in the box
+  Obstacle obstacle{};               ///< to be cleared instead
 };
 
-/// All that may refuse a collapse once its kinds allow it: the cheap guards first.
+/// All that may refuse a collapse once its kinds allow it, or make it dear: the cheap guards first.
 class CollapseGuards {
  public:
   CollapseGuards(const WorkingMesh& mesh, const CollapseLimits& limits)
       : mesh_(mesh),
         link_condition_(limits.keeps_topology || limits.max_error > 0.0),
+        gives_way_(limits.topology_gives_way),
+        keeps_normal_(limits.faces.keeps_normal),
         face_guard_(mesh, limits.faces),
+        obstacle_price_(mesh),
         bound_(mesh, limits.max_error) {}
 
   /// May the edge collapse to x? If so, `after` has the planes that the star would have.
   GuardAnswer ask(const EdgeNeighborhood& around, const Vector3& x,
                   std::vector<FacePlane>& after) const {
-    if (link_condition_ && !satisfies_link_condition(mesh_, around))
-      return {Rejection::LinkCondition};
+    GuardAnswer answer;
+    if (link_condition_) answer.obstacle = obstacle(around);
+    if (answer.obstacle.kind == Obstacle::Kind::Fixed) return {Rejection::LinkCondition};
+    answer.price = obstacle_price_.of(around, answer.obstacle);
     after.clear();
     for (int f : around.star()) {
       const Triangle moved = triangle_after(mesh_, f, around.edge(), x);
       after.push_back(face_plane(moved));
-      if (const auto reason = face_guard_.refusal(f, moved, after.back())) return {reason};
+      const std::optional<double> price = face_guard_.price(f, moved, after.back());
+      if (!price) return {Rejection::TriangleShape};
+      answer.price += *price;
     }
-    if (!bound_.active()) return {};
-    const double bound = bound_.after(mesh_, around, x);
-    if (!bound_.allows(bound)) return {Rejection::ErrorBound};
-    return {std::nullopt, bound};
+    if (keeps_normal_ && folds(mesh_, around, after)) return {Rejection::NormalFlip};
+    if (!bound_.active()) return answer;
+    answer.error_bound = bound_.after(mesh_, around, x);
+    if (!bound_.allows(answer.error_bound)) return {Rejection::ErrorBound};
+    return answer;
   }
 
   /// To be told of every collapse that is done, with the bound of the answer.
@@ -49,15 +60,25 @@ class CollapseGuards {
     if (bound_.active()) bound_.set(around, error_bound);
   }
 
+  /// To be told of every face that the topology gave way with.
+  void renew(int f) { face_guard_.renew(f); }
+
   void renumber(const Renumbering& numbers) {
     face_guard_.renumber(numbers);
     bound_.renumber(numbers);
   }
 
  private:
+  Obstacle obstacle(const EdgeNeighborhood& around) const {
+    if (gives_way_) return find_obstacle(mesh_, around);
+    return {satisfies_link_condition(mesh_, around) ? Obstacle::Kind::None : Obstacle::Kind::Fixed};
+  }
+
   const WorkingMesh& mesh_;
   const bool link_condition_;  // also for the bound: without it a part may vanish
+  const bool gives_way_, keeps_normal_;
   FaceGuard face_guard_;
+  ObstaclePrice obstacle_price_;
   ErrorBound bound_;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -10,8 +11,8 @@
 
 namespace curvdecim::detail {
 
-/// Whether a face may become another triangle. Turns are counted from the current normal and from
-/// the input's, so that many small ones cannot flip a face.
+/// What a face may become. Turns are counted from the current normal and from the input's, so that
+/// many small ones do not turn a face over.
 class FaceGuard {
  public:
   FaceGuard(const WorkingMesh& mesh, const FaceLimits& limits)
@@ -22,23 +23,53 @@ class FaceGuard {
     for (const FacePlane& plane : mesh.plane) input_normal_.push_back(RoughNormal(plane.normal));
   }
 
+  /// Where nothing is weighed against anything else: no turn too far, and no sliver out of a face
+  /// that was none.
   std::optional<Rejection> refusal(int f, const Triangle& after,
                                    const FacePlane& plane_after) const {
-    const FacePlane& plane = mesh_.plane[f];
-    if (turns_too_far(plane.normal, plane_after, cos_normal_) ||
-        turns_too_far(input_normal_[f].unpacked(), plane_after, cos_input_normal_))
-      return Rejection::NormalFlip;
-    if (spoils_shape(after, plane_after.area, least_shape_quality,
-                     [&] { return shape_quality(mesh_.triangle(f), plane.area); }))
+    if (turns(f, plane_after)) return Rejection::NormalFlip;
+    if (spoils_shape(after, plane_after.area, fair_quality,
+                     [&] { return shape_quality(mesh_.triangle(f), mesh_.plane[f].area); }))
       return Rejection::TriangleShape;
     return std::nullopt;
   }
 
+  /// What it costs that face f becomes `after`, in area times squared length; nullopt: it loses all
+  /// of its area, which it may not. A face that turns or becomes a sliver costs by its size, so
+  /// that among fair faces none does, and where a place consists of slivers, whose normals mean
+  /// little, they do not stand in the way (docs/decisions/prices-not-bans.md).
+  std::optional<double> price(int f, const Triangle& after, const FacePlane& plane_after) const {
+    if (mesh_.plane[f].area > 0.0 && !(plane_after.area > 0.0)) return std::nullopt;
+    double share = turns(f, plane_after) ? turn_price : 0.0;
+    if (is_worse_shaped(after, plane_after.area, fair_quality))
+      share += shape_price * lost_shape(f, after, plane_after.area);
+    return share > 0.0 ? share * plane_after.area * sum_of_squared_edges(after) : 0.0;
+  }
+
+  /// To be told of every face that was made anew.
+  void renew(int f) { input_normal_[f] = RoughNormal(mesh_.plane[f].normal); }
+
   void renumber(const Renumbering& numbers) { numbers.faces(input_normal_); }
 
  private:
-  static constexpr double least_shape_quality = 0.01;  // a needle of 1 : 100
-  static constexpr double from_input = 2.0 / 3.0;      // of the angle: what a face may turn in all
+  static constexpr double fair_quality = 0.01;     // a needle of 1 : 100
+  static constexpr double from_input = 2.0 / 3.0;  // of the angle: what a face may turn in all
+  // On area times the sum of the squared edges. A third or three times as much measures alike.
+  static constexpr double turn_price = 0.1;
+  static constexpr double shape_price = 0.0003;
+
+  bool turns(int f, const FacePlane& after) const {
+    return turns_too_far(mesh_.plane[f].normal, after, cos_normal_) ||
+           turns_too_far(input_normal_[f].unpacked(), after, cos_input_normal_);
+  }
+
+  /// 0: as slender as before; 1: no height is left.
+  double lost_shape(int f, const Triangle& after, double area_after) const {
+    const double before =
+        std::min(fair_quality, shape_quality(mesh_.triangle(f), mesh_.plane[f].area));
+    const double now = shape_quality(after, area_after);
+    return now < before ? 1.0 - now / before : 0.0;
+  }
 
   const WorkingMesh& mesh_;
   const double cos_normal_, cos_input_normal_;

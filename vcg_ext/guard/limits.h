@@ -18,9 +18,10 @@ struct FaceLimits {
 /// What a collapse may do.
 struct CollapseLimits {
   FaceLimits faces;
-  bool keeps_topology = true;  ///< link condition, and kinds of vertices
-  bool keeps_boundary = true;  ///< boundary vertices go along the boundary only
-  double max_error = 0.0;      ///< two-sided distance to the input, in the box; 0: no bound
+  bool keeps_topology = true;       ///< link condition, and kinds of vertices
+  bool keeps_boundary = true;       ///< boundary vertices go along the boundary only
+  bool topology_gives_way = false;  ///< by size: parts, holes and handles may go at a price
+  double max_error = 0.0;           ///< two-sided distance to the input, in the box; 0: no bound
 };
 
 /// Cosine of the largest turn, which is a part of the limits' angle, with a margin: two faces on

@@ -30,6 +30,8 @@ class WriteBack {
   void run(const Carried& carried) {
     place_vertices();
     blend_attributes(carried);
+    for (const auto [to, from] : carried.new_faces.copies())
+      mesh_.face[to].ImportData(mesh_.face[from]);
     if (carried.wedges) write_all_wedges(*carried.wedges);
     move_vertices();
     const std::vector<bool> used_before = used_vertices();

@@ -141,6 +141,24 @@ class TriangleConnectivity {
     return removed;
   }
 
+  /// The face, living or not, gets these corners. What it removes may be less than nothing.
+  Removed assign(int f, const Face& now) {
+    const Face was = faces_[f];
+    Removed removed{was[0] == dead ? -1 : 0, 0};
+    for (int v : was)
+      if (v != dead && !has(now, v)) {
+        erase(lists_[v], f);
+        removed.vertices += lists_[v].size == 0;
+      }
+    for (int v : now)
+      if (!has(was, v)) {
+        removed.vertices -= lists_[v].size == 0;
+        reserve(lists_[v], lists_[v].size + 1), append(lists_[v], f);
+      }
+    faces_[f] = now;
+    return removed;
+  }
+
   /// Edge collapse: faces with both vertices go, `gone` becomes `keep` in the others.
   Removed collapse(int keep, int gone) {
     assert(keep != gone);

@@ -46,6 +46,18 @@ inline Vector3 area_vector_around(const WorkingMesh& mesh, int v) {
   return sum;
 }
 
+/// Six times the volume that faces enclose, above 0 where they face outward.
+template <class Faces>
+double volume_of(const WorkingMesh& mesh, const Faces& faces) {
+  double sum = 0.0;
+  for (int f : faces) {
+    if (!mesh.connectivity.alive(f)) continue;
+    const Triangle t = mesh.triangle(f);
+    sum += t[0].dot(t[1].cross(t[2]));
+  }
+  return sum;
+}
+
 /// Face f with its corner at a or b moved to x.
 inline Triangle triangle_after(const WorkingMesh& mesh, int f, Edge edge, const Vector3& x) {
   const Face& face = mesh.connectivity.face(f);

@@ -62,6 +62,11 @@ class AnchoredSphereMetric {
         merged(merge.keep, merge.now - merge.keep_was, merge.gone, merge.now - merge.gone_was);
   }
 
+  void renew(int v, int source) {
+    planes_.renew(v, source);
+    anchor_[v] = anchor_[source];
+  }
+
   void renumber(const Renumbering& numbers) {
     planes_.renumber(numbers), numbers.vertices(anchor_);
   }

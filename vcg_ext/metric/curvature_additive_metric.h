@@ -38,6 +38,8 @@ class CurvatureAdditiveMetric {
     quadric_.merge(merge, around);
   }
 
+  void renew(int v, int source) { quadric_.renew(v, source); }
+
   void renumber(const Renumbering& numbers) { quadric_.renumber(numbers); }
 
  private:

@@ -58,6 +58,13 @@ class CurvatureWeightedMetric {
     for (const RingVertex& u : ring) update(u.vertex);
   }
 
+  void renew(int v, int source) {
+    saturation_[v] = saturation_[source];
+    if (v != source) area_[v] = area_[source] *= 0.5f;
+    quadric_.renew(v, source);
+    if (follows_current()) current_.renew(v), update(v);
+  }
+
   void renumber(const Renumbering& numbers) {
     quadric_.renumber(numbers), current_.renumber(numbers);
     numbers.vertices(saturation_), numbers.vertices(area_);

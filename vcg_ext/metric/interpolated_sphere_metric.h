@@ -53,6 +53,8 @@ class InterpolatedSphereMetric {
                   held_[gone].with_origin_moved(now - gone_was);
   }
 
+  void renew(int v, int source) { sphere_[v] = sphere_[source], held_[v] = held_[source]; }
+
   void renumber(const Renumbering& numbers) { numbers.vertices(sphere_), numbers.vertices(held_); }
 
  private:

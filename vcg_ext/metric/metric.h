@@ -8,6 +8,7 @@
 //   estimate(v, others, costs)    often                                   several at a time
 //   release(around, after)        just before a collapse                  several at a time
 //   merge(merge, around)          just after it                           several at a time
+//   renew(v, source)              after v's faces became others           on one
 //   renumber(numbers)             between collapses                       on one
 //
 // Collapses at the same time share no vertex of their neighbourhoods: release and merge may read
@@ -62,6 +63,9 @@ constexpr bool require_metric() {
                                                                std::vector<FacePlane>()))>);
   static_assert(is_same_v<void, decltype(declval<M&>().merge(declval<const VertexMerge&>(),
                                                              EdgeNeighborhood()))>);
+  // Where the topology gave way: v has other faces now, some or all of which belonged to source
+  // before; v may be source itself.
+  static_assert(is_same_v<void, decltype(declval<M&>().renew(int(), int()))>);
   // What the metric has by vertex or by face gets the new numbers: numbers.vertices(array).
   static_assert(is_same_v<void, decltype(declval<M&>().renumber(declval<const Renumbering&>()))>);
   return true;

@@ -121,6 +121,14 @@ class QuadricMetric {
     for (int f : around.star()) sum_[keep].a += matrix(f);
   }
 
+  /// As on an input that has these faces: what was remembered belongs to faces that may be gone.
+  void renew(int v, int source) {
+    if (!factor_.empty()) factor_[v] = factor_[source];
+    const Symmetric3 around = matrix_around(v), held = boundary(v);
+    sum_[v] = {};
+    sum_[v].a = memoryless_ ? (around + held) * memory + around + held : around * factor(v) + held;
+  }
+
   void renumber(const Renumbering& numbers) {
     numbers.vertices(sum_);
     if (!factor_.empty()) numbers.vertices(factor_);

@@ -28,7 +28,12 @@ inline void conclude(const Tally& tally, double diagonal, const char* exhausted,
 inline void conclude(const Tally& tally, const CollapsePlan& plan, const WorkingMesh& mesh,
                      double diagonal, DecimationReport& report) {
   report.pairs_contracted = tally.pairs_contracted;
+  report.parts_removed = tally.parts_removed;
+  report.holes_closed = tally.holes_closed;
+  report.handles_cut = tally.handles_cut;
+  report.largest_removed = diagonal * tally.largest_removed;
   if (plan.pair_distance > 0.0) note_pairs(mesh, report);
+  note_what_gave_way(report);
   conclude(tally, diagonal, "no edge is left that may collapse", report);
 }
 

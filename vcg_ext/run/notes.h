@@ -3,8 +3,13 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <cstdint>
+#include <iomanip>
+#include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "vcg_ext/mesh/tally.h"
@@ -87,6 +92,25 @@ inline void note_pairs(const WorkingMesh& mesh, DecimationReport& report) {
                          std::to_string(report.pairs_contracted) +
                          " unconnected pairs were contracted, and " + std::to_string(non_manifold) +
                          " vertices are non-manifold now.");
+}
+
+/// "1 part, 2 holes and 3 handles gave way, the largest 0.5 across."
+inline void note_what_gave_way(DecimationReport& report) {
+  const std::array<std::pair<std::int64_t, const char*>, 3> kinds = {
+      {{report.parts_removed, "part"},
+       {report.holes_closed, "hole"},
+       {report.handles_cut, "handle"}}};
+  std::string what;
+  for (const auto& [count, name] : kinds) {
+    if (count == 0) continue;
+    what +=
+        (what.empty() ? "" : ", ") + std::to_string(count) + ' ' + name + (count > 1 ? "s" : "");
+  }
+  if (what.empty()) return;
+  std::ostringstream size;
+  size << std::setprecision(4) << report.largest_removed;
+  report.notes.push_back("Gave way, being smaller than the error: " + what + "; the largest was " +
+                         size.str() + " across. Preserve topology keeps them.");
 }
 
 /// Says why more is left than was asked for. exhausted: what the run had no more of.

@@ -48,8 +48,7 @@ inline MetricPlan metric_plan(const EdgeCollapseParams& params, bool keeps_topol
 }
 
 inline MetricPlan metric_plan(const SphereParams& params) {
-  const SpherePlan spheres{quadric_plan(params, QuadricParams(), params.preserve_topology), params,
-                           params.energy};
+  const SpherePlan spheres{quadric_plan(params, QuadricParams(), true), params, params.energy};
   if (params.placement == SpherePlacement::Free3D) return AnchoredSpherePlan{spheres};
   return InterpolatedSpherePlan{spheres};
 }
@@ -62,24 +61,28 @@ inline std::optional<CollapsePlan> plan_collapse(const DecimationParams& params,
   CollapsePlan plan;
   plan.stop = *stop;
   plan.limits = {{params.preserve_normal, params.normal_angle},
-                 params.preserve_topology,
+                 true,
                  params.preserve_boundary,
+                 !params.preserve_topology && !(params.max_error > 0.0),
                  params.max_error / input.diagonal};
-  plan.metric = quadric_plan(params, QuadricParams(), params.preserve_topology);
-  plan.schedule = schedule_of(Scheduler::Rounds, params.preserve_topology);
+  plan.metric = quadric_plan(params, QuadricParams(), true);
+  plan.schedule = schedule_of(Scheduler::Rounds, true);
   plan.boundary_weight = params.boundary_weight;
   return plan;
 }
 
 inline std::optional<CollapsePlan> plan_collapse(const EdgeCollapseParams& requested,
                                                  const InputFacts& input) {
-  EdgeCollapseParams params = with_preset(requested);
-  if (params.pair_distance > 0.0) params.preserve_topology = false;  // parts join
+  const EdgeCollapseParams params = with_preset(requested);
+  const bool keeps_links = !(params.pair_distance > 0.0);  // pairs join parts
   std::optional<CollapsePlan> plan =
       plan_collapse(static_cast<const DecimationParams&>(params), input);
   if (!plan) return plan;
-  plan->metric = metric_plan(params, params.preserve_topology, input.diagonal);
-  plan->schedule = schedule_of(params.scheduler, params.preserve_topology);
+  plan->metric = metric_plan(params, keeps_links, input.diagonal);
+  plan->schedule = schedule_of(params.scheduler, keeps_links);
+  plan->limits.keeps_topology = keeps_links;
+  plan->limits.topology_gives_way = plan->limits.topology_gives_way && keeps_links;
+  if (params.plane_weight == PlaneWeight::Unit) plan->cost_unit = CostUnit::SquaredLength;
   plan->pair_distance = params.pair_distance / input.diagonal;
   // No bound is known for a vertex that moves on its own, and HalfEdge moves none.
   if (params.max_error == 0.0 && params.placement != Placement::HalfEdge)
@@ -94,6 +97,7 @@ inline std::optional<CollapsePlan> plan_collapse(const SphereParams& params,
       plan_collapse(static_cast<const DecimationParams&>(params), input);
   if (!plan) return plan;
   plan->metric = metric_plan(params);
+  if (params.energy == SphereEnergy::Poster) plan->cost_unit = CostUnit::AreaTimesLength;
   if (params.placement != SpherePlacement::Free3D) plan->schedule = {};
   if (params.max_error == 0.0) plan->refine_sweeps = params.refine_sweeps;
   return plan;

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Without PreserveTopology what is smaller than the error gives way, and a manifold stays one.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "support/decimation.h"
+#include "support/drawn_meshes.h"
+#include "support/expectations.h"
+#include "support/mesh_group.h"
+#include "support/properties.h"
+
+namespace curvdecim::test {
+namespace {
+
+bool is_said(const DecimationReport& report, const std::string& words) {
+  return std::any_of(report.notes.begin(), report.notes.end(), [&](const std::string& note) {
+    return note.find(words) != std::string::npos;
+  });
+}
+
+EdgeCollapseParams keeping(int faces) {
+  EdgeCollapseParams params = to_faces(faces);
+  params.preserve_topology = true;
+  return params;
+}
+
+class GivingWay : public testing::TestWithParam<NamedShape> {};
+
+TEST_P(GivingWay, ReachesEveryTargetAsAManifold) {
+  const Shape& before = GetParam().shape;
+  const bool closed = topology(before).boundary_loops == 0;
+  for (const Variant& variant : all_variants())
+    for (int target : {before.face_count() / 4, 30, 4}) {
+      SCOPED_TRACE(variant.name + " to " + std::to_string(target));
+      const auto [after, report] = decimated(before, variant.with_target(target));
+      const Topology t = topology(after);
+      EXPECT_EQ(t.nonmanifold_edges + t.nonmanifold_vertices + t.inconsistent_edges, 0) << t;
+      EXPECT_EQ(t.unreferenced_vertices + t.faces_with_repeated_index, 0) << t;
+      if (closed) EXPECT_EQ(t.boundary_loops, 0) << t;
+      EXPECT_GE(after.face_count(), std::min(target, before.face_count()) - 3);
+      EXPECT_LE(after.face_count(), std::max(target, 4)) << report.handles_cut;
+      EXPECT_TRUE(all_finite(after));
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Drawn, GivingWay, testing::ValuesIn(manifold_meshes()), name_of);
+
+TEST(GivingWay, CutsTheHandleOfATorus) {
+  const Shape before = torus(24, 12);
+  const auto [after, report] = decimated(before, to_faces(4));
+  EXPECT_EQ(report.handles_cut, 1);
+  EXPECT_EQ(topology(after).euler, 2);
+  EXPECT_GT(report.largest_removed, 0.0);
+  EXPECT_LT(report.largest_removed, diagonal(before));
+  EXPECT_TRUE(is_said(report, "1 handle"));
+  EXPECT_EQ(topology(decimated(before, keeping(4)).shape).euler, 0);
+}
+
+TEST(GivingWay, KeepsAHandleThatIsLargerThanTheError) {
+  const auto [after, report] = decimated(torus(48, 24), to_faces(400));
+  EXPECT_EQ(report.handles_cut, 0);
+  EXPECT_EQ(topology(after).euler, 0);
+}
+
+TEST(GivingWay, ClosesSmallHolesAndKeepsTheBorder) {
+  const Shape before = grid_with_small_holes(16);
+  const auto [after, report] = decimated(before, to_faces(2));
+  EXPECT_EQ(report.holes_closed, 4);
+  EXPECT_EQ(topology(after).boundary_loops, 1);
+  EXPECT_EQ(topology(decimated(before, keeping(2)).shape).boundary_loops,
+            topology(before).boundary_loops);
+}
+
+TEST(GivingWay, LetsTheSmallPartVanishFirst) {
+  const Shape before =
+      side_by_side({icosphere(3), scaled(translated(icosphere(2), {150.0, 0.0, 0.0}), 0.01)});
+  const auto [after, report] = decimated(before, to_faces(100));
+  EXPECT_EQ(report.parts_removed, 1);
+  EXPECT_EQ(topology(after).components, 1);
+  EXPECT_NEAR(report.largest_removed, 0.03, 0.01);
+  EXPECT_TRUE(is_said(report, "1 part"));
+  EXPECT_EQ(topology(decimated(before, keeping(100)).shape).components, 2);
+}
+
+TEST(GivingWay, KeepsThePartThatIsFarAndLarge) {
+  const Shape before = side_by_side({icosphere(3), translated(icosphere(3), {10.0, 0.0, 0.0})});
+  const auto [after, report] = decimated(before, to_faces(200));
+  EXPECT_EQ(report.parts_removed, 0);
+  EXPECT_EQ(topology(after).components, 2);
+}
+
+TEST(GivingWay, KeepsThePartWithALockedVertex) {
+  const Shape before =
+      side_by_side({icosphere(3), scaled(translated(icosphere(1), {150.0, 0.0, 0.0}), 0.01)});
+  RichMesh mesh;
+  fill(mesh, before);
+  for (auto& face : mesh.face)
+    if (face.P(0)[0] < 1.2) face.SetS();
+  mesh.face.back().ClearS();
+  EdgeCollapseParams params = to_faces(50);
+  params.selected_only = true;
+  EXPECT_EQ(decimate(mesh, params).parts_removed, 0);
+}
+
+TEST(GivingWay, IsOffWithABound) {
+  EdgeCollapseParams params = to_faces(4);
+  params.max_error = 100.0;
+  const auto [after, report] = decimated(torus(24, 12), params);
+  EXPECT_EQ(report.handles_cut, 0);
+  EXPECT_EQ(topology(after).euler, 0);
+}
+
+TEST(GivingWay, TurnsNoFairFaceOver) {
+  const Shape before = bumpy_sphere(3);
+  EXPECT_EQ(flipped_faces(before, decimated(before, to_faces(300)).shape), 0);
+}
+
+TEST(GivingWay, LetsARodOfSliversComeDown) {
+  const Shape rod = mapped(capped_cylinder(360, 1),
+                           [](const Point& p) { return Point(p.x(), p.y(), 200.0 * p.z()); });
+  const auto [after, report] = decimated(rod, to_faces(144));
+  EXPECT_EQ(report.stopped_by, StopReason::Target);
+  EXPECT_LT(two_sided_rms(rod, after), 1e-4 * diagonal(rod));
+}
+
+}  // namespace
+}  // namespace curvdecim::test

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where the topology may give way: what stands against a collapse, and what it costs to clear it.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <optional>
+#include <vector>
+
+#include "vcg_ext/geometry/closest_point.h"
+#include "vcg_ext/guard/link_condition.h"
+
+namespace curvdecim::detail {
+
+/// Why the collapse of an edge would spoil the surface.
+struct Obstacle {
+  enum class Kind : std::uint8_t {
+    None,
+    Loop,    ///< a closed path of three edges that is no face: around a handle, a hole, a neck
+    Bridge,  ///< an inner edge with both ends on the boundary
+    Fixed,   ///< it cannot be cleared
+  };
+
+  Kind kind = Kind::None;
+  int third = -1;  ///< Loop: the path's vertex beside the edge's ends
+};
+
+/// True if the surface may be cut open at v.
+inline bool may_be_cut(const WorkingMesh& mesh, int v) {
+  return mesh.kind[v] <= VertexKind::Boundary && !mesh.locked[v];
+}
+
+/// What a loop of three edges takes: the area of its triangle times its longest edge squared.
+inline double loop_size(const WorkingMesh& mesh, int a, int b, int c) {
+  const Triangle t{mesh.position[a], mesh.position[b], mesh.position[c]};
+  const double longest2 = std::max(
+      {(t[1] - t[0]).squaredNorm(), (t[2] - t[1]).squaredNorm(), (t[0] - t[2]).squaredNorm()});
+  return area_vector(t).norm() * longest2;
+}
+
+/// Of the closed paths of three edges through the edge the smallest that may be cut; none: -1.
+inline int smallest_loop(const WorkingMesh& mesh, const EdgeNeighborhood& around) {
+  const TriangleConnectivity& connectivity = mesh.connectivity;
+  const auto [a, b] = around.edge();
+  const std::vector<int>& thirds = around.thirds();
+  int third = -1;
+  double least = HUGE_VAL;
+  for (std::size_t i = around.star_of_a(); i < around.star().size(); ++i)
+    for (int u : connectivity.face(around.star()[i])) {
+      if (u == b || u == third || !connectivity.has_edge(a, u) || !may_be_cut(mesh, u) ||
+          std::find(thirds.begin(), thirds.end(), u) != thirds.end())
+        continue;
+      const double size = loop_size(mesh, a, b, u);
+      if (size < least || (size == least && u < third)) least = size, third = u;
+    }
+  return third;
+}
+
+inline Obstacle find_obstacle(const WorkingMesh& mesh, const EdgeNeighborhood& around) {
+  if (satisfies_link_condition(mesh, around)) return {};
+  const auto [a, b] = around.edge();
+  if (!may_be_cut(mesh, a) || !may_be_cut(mesh, b)) return {Obstacle::Kind::Fixed};
+  if (has_other_common_neighbor(mesh.connectivity, around)) {
+    const int third = smallest_loop(mesh, around);
+    return third < 0 ? Obstacle{Obstacle::Kind::Fixed} : Obstacle{Obstacle::Kind::Loop, third};
+  }
+  const bool bridge = around.thirds().size() == 2 && mesh.kind[a] == VertexKind::Boundary &&
+                      mesh.kind[b] == VertexKind::Boundary;
+  return {bridge ? Obstacle::Kind::Bridge : Obstacle::Kind::Fixed};
+}
+
+/// The small piece of surface on one side of a loop, if it is closed but for the loop.
+class SideOfLoop {
+ public:
+  static constexpr int most_faces = 24;
+
+  /// start: a face at an edge of the loop.
+  SideOfLoop(const WorkingMesh& mesh, const Face& loop, int start) : mesh_(mesh), loop_(loop) {
+    faces_.push_back(start);
+    for (std::size_t i = 0; i < faces_.size() && is_closed_; ++i) visit_neighbors(faces_[i]);
+  }
+
+  bool is_closed() const { return is_closed_; }
+
+  /// Six times the volume between it and the loop's triangle, above 0 where it faces outward.
+  double volume() const {
+    double sum = 0.0;
+    const Vector3& origin = mesh_.position[loop_[0]];
+    for (int f : faces_) {
+      const Triangle t = mesh_.triangle(f);
+      sum += (t[0] - origin).dot((t[1] - origin).cross(t[2] - origin));
+    }
+    return sum;
+  }
+
+  /// Area times the squared distance to the loop's triangle.
+  double distance_to_loop() const {
+    const Triangle cap{mesh_.position[loop_[0]], mesh_.position[loop_[1]],
+                       mesh_.position[loop_[2]]};
+    double sum = 0.0;
+    for (int f : faces_) {
+      const Triangle t = mesh_.triangle(f);
+      const Vector3 center = (t[0] + t[1] + t[2]) / 3.0;
+      sum += mesh_.plane[f].area * (at(cap, closest_point(cap, center)) - center).squaredNorm();
+    }
+    return sum;
+  }
+
+ private:
+  bool on_loop(int v) const { return v == loop_[0] || v == loop_[1] || v == loop_[2]; }
+
+  void visit_neighbors(int f) {
+    const Face& face = mesh_.connectivity.face(f);
+    for (int i = 0; i < 3; ++i) {
+      const int a = face[i], b = face[(i + 1) % 3];
+      if (on_loop(a) && on_loop(b)) continue;
+      const int across = mesh_.connectivity.face_across(f, a, b);
+      is_closed_ = is_closed_ && across >= 0;
+      if (across >= 0 && std::find(faces_.begin(), faces_.end(), across) == faces_.end())
+        faces_.push_back(across);
+    }
+    is_closed_ = is_closed_ && faces_.size() <= most_faces;
+  }
+
+  const WorkingMesh& mesh_;
+  const Face loop_;
+  std::vector<int> faces_;
+  bool is_closed_ = true;
+};
+
+/// What it costs to clear obstacles, in area times squared distance.
+class ObstaclePrice {
+ public:
+  explicit ObstaclePrice(const WorkingMesh& mesh) : mesh_(mesh) {
+    std::vector<int> faces(mesh.connectivity.face_slots());
+    std::iota(faces.begin(), faces.end(), 0);
+    volume_ = volume_of(mesh, faces);
+  }
+
+  double of(const EdgeNeighborhood& around, const Obstacle& obstacle) const {
+    const auto [a, b] = around.edge();
+    const double length2 = (mesh_.position[a] - mesh_.position[b]).squaredNorm();
+    if (obstacle.kind == Obstacle::Kind::Bridge) return share * 0.5 * length2 * length2;
+    if (obstacle.kind != Obstacle::Kind::Loop) return 0.0;
+    return share * loop_size(mesh_, a, b, obstacle.third) +
+           sealed_share * sealed(around, {a, b, obstacle.third});
+  }
+
+ private:
+  static constexpr double share = 0.03;  // .01 to .1 measure alike
+  static constexpr double sealed_share = 0.1;
+
+  /// The walls of a small void that the cut would seal, as at the last open end of a tunnel.
+  double sealed(const EdgeNeighborhood& around, const Face& loop) const {
+    double sum = 0.0;
+    for (int f : around.wings()) {
+      const SideOfLoop side(mesh_, loop, f);
+      if (side.is_closed() && side.volume() * volume_ < 0.0) sum += side.distance_to_loop();
+    }
+    return sum;
+  }
+
+  const WorkingMesh& mesh_;
+  double volume_ = 0.0;  // of the input: its sign tells the outside
+};
+
+}  // namespace curvdecim::detail
