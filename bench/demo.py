@@ -115,18 +115,19 @@ def _save(cases: list[Case], folder: Path) -> None:
 
 def _picture(cases: list[Case]) -> list[tuple[View, list[Panel]]]:
     coarsest = [case for case in cases if case.fraction == FRACTIONS[-1]]
-    return [(VIEWS[case.model.name], _panels(case)) for case in coarsest]
+    return [(VIEWS[case.model.name], panels(case)) for case in coarsest]
 
 
-def _panels(case: Case) -> list[Panel]:
+def panels(case: Case) -> list[Panel]:
+    """The mesh, ours and MeshLab's."""
     model = case.model
     title, caption = f"{model.name.capitalize()}, original", f"{len(model.faces):,} faces"
-    panels = [Panel(model.vertices, model.faces, title, caption)]
+    shown = [Panel(model.vertices, model.faces, title, caption)]
     for title, result in (("CurvDecim", case.ours), ("MeshLab quadric", case.meshlab)):
         figures, outcome = result.figures, result.outcome
         caption = f"{figures.faces:,} faces   RMS {figures.rms:.4f} %   max {figures.max:.2f} %"
-        panels.append(Panel(outcome.vertices, outcome.faces, title, caption))
-    return panels
+        shown.append(Panel(outcome.vertices, outcome.faces, title, caption))
+    return shown
 
 
 def _verdict(cases: list[Case], console: Console) -> int:

@@ -42,12 +42,13 @@ def save_markdown(path: Path, heading: str, notes: Sequence[str], tables: Sequen
     """Writes notes as paragraphs, then the tables, each under its title."""
     parts = [f"# {heading}", *notes]
     for each in tables:
-        parts += [f"## {each.title}", _markdown(each)]
+        parts += [f"## {each.title}", markdown(each)]
     path.parent.mkdir(parents=True, exist_ok=True)
     path.write_text("\n\n".join(parts) + "\n", encoding="utf-8")
 
 
-def _markdown(shown: Table) -> str:
+def markdown(shown: Table) -> str:
+    """A table without its title."""
     plain = copy(shown)
     plain.box, plain.title = box.MARKDOWN, None
     stream = io.StringIO()
