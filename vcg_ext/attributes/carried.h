@@ -13,7 +13,7 @@ namespace curvdecim::detail {
 /// What vertices and faces carry, on its way through a run: how it follows from what the input
 /// carried.
 struct Carried {
-  BlendRecord blended;                 // by the collapses
+  BlendRecord blended;  // by the collapses
   FaceCopies new_faces;
   std::optional<WedgeTexture> wedges;  // where the mesh has wedge texture coordinates
   std::vector<BlendStep> resampled;    // from the input, after all others: by the refinement

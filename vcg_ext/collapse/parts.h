@@ -27,11 +27,11 @@ struct Part {
 
 /// Numbers, each once, up to a fixed count: most parts are too large, and are found so without an
 /// allocation.
-template <int capacity>
+template <int Capacity>
 class FewNumbers {
  public:
   bool contains(int n) const { return std::find(begin(), end(), n) != end(); }
-  bool is_full() const { return count_ == capacity; }
+  bool is_full() const { return count_ == Capacity; }
   void add(int n) { numbers_[count_++] = n; }
   int size() const { return count_; }
   int operator[](int i) const { return numbers_[i]; }
@@ -39,15 +39,15 @@ class FewNumbers {
   const int* end() const { return begin() + count_; }
 
  private:
-  std::array<int, capacity> numbers_{};
+  std::array<int, Capacity> numbers_{};
   int count_ = 0;
 };
 
 /// The part around v, if it has few faces.
-template <int most_faces>
+template <int MostFaces>
 std::optional<Part> part_around(const TriangleConnectivity& connectivity, int v) {
-  FewNumbers<most_faces> faces;
-  FewNumbers<3 * most_faces> vertices;
+  FewNumbers<MostFaces> faces;
+  FewNumbers<3 * MostFaces> vertices;
   vertices.add(v);
   for (int i = 0; i < vertices.size(); ++i)
     for (int f : connectivity.faces_of(vertices[i])) {
