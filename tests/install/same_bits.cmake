@@ -49,7 +49,7 @@ execute_process(
   COMMAND ${CXX} -std=c++17 -march=haswell -DVCGLIB_FIRST -fsyntax-only -I ${PREFIX}/include -I ${SOURCE}/tests
           -I ${SOURCE}/examples -isystem ${VCGLIB} -isystem ${EIGEN} ${SOURCE}/tests/install/print_bits.cpp
   RESULT_VARIABLE refused ERROR_VARIABLE message)
-if(NOT refused OR NOT message MATCHES "include CurvDecim's headers before Eigen")
+if(NOT refused OR NOT message MATCHES "include CurvDecim before Eigen")
   message(FATAL_ERROR "vcglib before the core was not refused\n${message}")
 endif()
 
