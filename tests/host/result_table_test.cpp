@@ -41,6 +41,7 @@ TEST(ResultTable, RowsHaveUniqueNamesAndMeanings) {
   }
 }
 
+const Names topology = {"parts_removed", "holes_closed", "handles_cut", "largest_removed"};
 const Names collapse_end = {"cost_last",
                             "rejected_link_condition",
                             "rejected_normal_flip",
@@ -51,19 +52,19 @@ const Names collapse_end = {"cost_last",
 
 TEST(ResultTable, EdgeCollapseTellsItsBoundAndPairsWhereAsked) {
   EdgeCollapseParams params;
-  EXPECT_EQ(names_after<EdgeCollapseFilter>({}, params), counts + collapse_end);
+  EXPECT_EQ(names_after<EdgeCollapseFilter>({}, params), counts + topology + collapse_end);
   params.max_error = 0.1;
   EXPECT_EQ(names_after<EdgeCollapseFilter>({}, params),
             counts + Names{"max_error"} + collapse_end);
   params.max_error = 0.0;
   params.pair_distance = 0.1;
   EXPECT_EQ(names_after<EdgeCollapseFilter>({}, params),
-            counts + Names{"pairs_contracted"} + collapse_end);
+            counts + Names{"pairs_contracted"} + topology + collapse_end);
 }
 
 TEST(ResultTable, AlgebraicSphereTellsItsBoundWhereAsked) {
   SphereParams params;
-  EXPECT_EQ(names_after<AlgebraicSphereFilter>({}, params), counts + collapse_end);
+  EXPECT_EQ(names_after<AlgebraicSphereFilter>({}, params), counts + topology + collapse_end);
   params.max_error = 0.1;
   EXPECT_EQ(names_after<AlgebraicSphereFilter>({}, params),
             counts + Names{"max_error"} + collapse_end);
