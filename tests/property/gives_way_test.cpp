@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <string>
 
 #include "support/decimation.h"
 #include "support/drawn_meshes.h"
@@ -13,12 +12,6 @@
 
 namespace curvdecim::test {
 namespace {
-
-bool is_said(const DecimationReport& report, const std::string& words) {
-  return std::any_of(report.notes.begin(), report.notes.end(), [&](const std::string& note) {
-    return note.find(words) != std::string::npos;
-  });
-}
 
 EdgeCollapseParams keeping(int faces) {
   EdgeCollapseParams params = to_faces(faces);
@@ -38,7 +31,9 @@ TEST_P(GivingWay, ReachesEveryTargetAsAManifold) {
       const Topology t = topology(after);
       EXPECT_EQ(t.nonmanifold_edges + t.nonmanifold_vertices + t.inconsistent_edges, 0) << t;
       EXPECT_EQ(t.unreferenced_vertices + t.faces_with_repeated_index, 0) << t;
-      if (closed) EXPECT_EQ(t.boundary_loops, 0) << t;
+      if (closed) {
+        EXPECT_EQ(t.boundary_loops, 0) << t;
+      }
       EXPECT_GE(after.face_count(), std::min(target, before.face_count()) - 3);
       EXPECT_LE(after.face_count(), std::max(target, 4)) << report.handles_cut;
       EXPECT_TRUE(all_finite(after));

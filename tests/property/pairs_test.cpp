@@ -44,12 +44,6 @@ EdgeCollapseParams joining(double distance, int faces) {
   return params;
 }
 
-bool is_said(const DecimationReport& report, const std::string& words) {
-  for (const std::string& note : report.notes)
-    if (note.find(words) != std::string::npos) return true;
-  return false;
-}
-
 TEST(PairDistance, JoinsSmallPartsOfWhichNoneMayVanish) {
   const Shape parts = balls(0.1);
   EdgeCollapseParams keeping = to_faces(100);

@@ -29,7 +29,7 @@ struct Decimated {
   DecimationReport report;
 };
 
-/// Of any edge collapse.
+/// The parameters of any edge collapse.
 using AnyParams = std::variant<EdgeCollapseParams, SphereParams>;
 
 DecimationParams& shared(AnyParams& params);

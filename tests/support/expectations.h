@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <set>
 #include <string>
@@ -29,6 +30,12 @@ inline std::multiset<std::string> unselected_faces(const RichMesh& mesh) {
   for (const RichFace& f : mesh.face)
     if (!f.IsD() && !f.IsS()) faces.insert(bytes_of(f));
   return faces;
+}
+
+inline bool is_said(const DecimationReport& report, const std::string& words) {
+  return std::any_of(report.notes.begin(), report.notes.end(), [&](const std::string& note) {
+    return note.find(words) != std::string::npos;
+  });
 }
 
 /// Expects that run() throws an InputError whose message has all these words, and the mesh bit for

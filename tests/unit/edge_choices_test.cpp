@@ -67,7 +67,7 @@ TEST(EdgeChoice, WithoutAnEdgeComesLast) {
 
 // --- choices -------------------------------------------------------------------------------------
 
-/// Of vertex 0 out of four, with the edge 0-2 of cost 2 and squared length 0.5.
+/// The choice of vertex 0 out of four, with the edge 0-2 of cost 2 and squared length 0.5.
 EdgeChoices one_choice() {
   EdgeChoices choices(4);
   choices.set(0, {{2.0, 0.5}, 2});

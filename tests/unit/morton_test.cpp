@@ -33,7 +33,7 @@ TEST(Morton, TellsTheAxesApart) {
   EXPECT_LT(morton_code(low + 0.5 * Vector3::UnitY()), morton_code(low + 0.5 * Vector3::UnitZ()));
 }
 
-/// Of a lattice of 8 x 8 x 8 points, each run of 8 in the order of the curve is a cube of 2 x 2
+/// In a lattice of 8 x 8 x 8 points, each run of 8 in the order of the curve is a cube of 2 x 2
 /// x 2.
 TEST(Morton, WhatIsNearOnTheCurveIsNearInSpace) {
   constexpr int side = 8;

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cassert>
-#include <optional>
 #include <utility>
 
 #include "vcg_ext/collapse/collapse_plan.h"
@@ -24,22 +23,18 @@ Tally collapse_edges(WorkingMesh& mesh, MetricType& metric, const CollapsePlan& 
                      CollapseObservers observers, const Parallel& parallel,
                      ProgressMeter& progress) {
   Tally tally;
-  const PriceUnit price_unit(mesh, plan.cost_unit);
-  std::optional<Parts> parts;
-  if (plan.limits.topology_gives_way) observers.push_back(&parts.emplace(mesh, price_unit));
-  Parts* const giving = parts ? &*parts : nullptr;
-  CollapseOperator<MetricType> collapses(mesh, metric, plan.limits, price_unit,
+  CollapseOperator<MetricType> collapses(mesh, metric, plan.limits, {mesh, plan.cost_unit},
                                          std::move(observers));
   HubRests<MetricType> rests(mesh, collapses);
   metric.initialize(parallel);
   progress.begin("Collapsing edges");
   int next_number = 0;
   if (const double share = plan.schedule.round_share; share > 0.0)
-    next_number = RoundSchedule(mesh, collapses, rests, giving, plan.stop, share, parallel)
-                      .run(progress, tally);
+    next_number =
+        RoundSchedule(mesh, collapses, rests, plan.stop, share, parallel).run(progress, tally);
   if (plan.pair_distance > 0.0)
     collapses.add_pairs(VertexPairs(mesh, plan.pair_distance, parallel, progress));
-  StrictSchedule(mesh, collapses, rests, giving, plan.stop, plan.schedule.eager, next_number)
+  StrictSchedule(mesh, collapses, rests, plan.stop, plan.schedule.eager, next_number)
       .run(parallel, progress, tally);
   assert((mesh.connectivity.validate(), true));
   return tally;

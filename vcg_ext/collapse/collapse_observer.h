@@ -23,12 +23,10 @@ class CollapseObserver {
 
   /// v, which had no face, has taken over some of the faces of `source`, at the same place. number:
   /// in the order of the collapses.
-  virtual void copied(const WorkingMesh& mesh, int v, int source, int number) {
-    (void)mesh, (void)v, (void)source, (void)number;
-  }
+  virtual void copied(const WorkingMesh&, int /*v*/, int /*source*/, int /*number*/) {}
 
   /// Face f, which was dead, lies between vertices that have other faces, too.
-  virtual void added(const WorkingMesh& mesh, int f) { (void)mesh, (void)f; }
+  virtual void added(const WorkingMesh&, int /*f*/) {}
 
   virtual void renumber(const Renumbering& numbers) = 0;
 };

@@ -9,6 +9,7 @@
 
 #include "vcg_ext/collapse/collapse_observer.h"
 #include "vcg_ext/collapse/edge_queue.h"
+#include "vcg_ext/collapse/parts.h"
 #include "vcg_ext/collapse/price_unit.h"
 #include "vcg_ext/collapse/topology_operator.h"
 #include "vcg_ext/collapse/vertex_pairs.h"
@@ -49,7 +50,10 @@ class CollapseOperator {
         guards_(mesh, limits),
         classifier_(mesh.connectivity),
         observers_(std::move(observers)),
-        topology_operator_(mesh, metric, guards_, observers_) {}
+        topology_operator_(mesh, metric, guards_, observers_) {
+    if (const ObstaclePrice* price = guards_.obstacle_price())
+      observers_.push_back(&parts_.emplace(mesh, price_unit, *price));
+  }
 
   int valence(int v) const { return mesh_.connectivity.faces_of(v).size(); }
   bool is_hub(int v) const { return valence(v) > hub; }
@@ -138,9 +142,6 @@ class CollapseOperator {
     for (CollapseObserver* observer : observers_) observer->make_room(count);
   }
 
-  /// Clears obstacles and takes parts away, one at a time.
-  TopologyOperator<MetricType>& topology() { return topology_operator_; }
-
   struct Done {
     int keep, gone;
     Removed removed;  // still to be counted
@@ -171,6 +172,22 @@ class CollapseOperator {
   void renumber(const Renumbering& numbers) {
     mesh_.renumber(numbers), metric_.renumber(numbers), guards_.renumber(numbers);
     for (CollapseObserver* observer : observers_) observer->renumber(numbers);
+  }
+
+  // --- what gives way, one at a time ------------------------------------------------------------
+
+  /// Those that may vanish; nullptr: none may.
+  Parts* parts() { return parts_ ? &*parts_ : nullptr; }
+
+  void remove(const Part& part, Tally& tally) { topology_operator_.remove(part, tally); }
+
+  /// The obstacle to the edge's collapse gives way. Returns the vertices that have other faces now;
+  /// none: it is not possible here. next_number: of the next collapse; moves on.
+  std::vector<int> clear(Edge edge, const Obstacle& obstacle, int& next_number, Tally& tally) {
+    make_room(next_number + topology_operator_.most_records);
+    std::vector<int> touched = topology_operator_.clear(edge, obstacle, next_number, tally);
+    if (!touched.empty()) next_number += topology_operator_.most_records;
+    return touched;
   }
 
  private:
@@ -247,8 +264,9 @@ class CollapseOperator {
   CollapseGuards guards_;
   VertexPairs pairs_;
   VertexClassifier classifier_;  // where there are pairs
-  const CollapseObservers observers_;
+  CollapseObservers observers_;
   TopologyOperator<MetricType> topology_operator_;
+  std::optional<Parts> parts_;  // where the topology gives way
 };
 
 }  // namespace curvdecim::detail

@@ -15,6 +15,8 @@
 #include "vcg_ext/collapse/price_unit.h"
 #include "vcg_ext/geometry/closest_point.h"
 #include "vcg_ext/geometry/point_tree.h"
+#include "vcg_ext/guard/obstacle.h"
+#include "vcg_ext/mesh/disjoint_sets.h"
 #include "vcg_ext/queue/priority.h"
 
 namespace curvdecim::detail {
@@ -65,18 +67,14 @@ std::optional<Part> part_around(const TriangleConnectivity& connectivity, int v)
 
 /// Tells whether the surface is in several parts.
 inline bool has_several_parts(const TriangleConnectivity& connectivity) {
-  std::vector<int> parent(connectivity.vertex_slots());
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&](int v) {
-    while (parent[v] != v) v = parent[v] = parent[parent[v]];
-    return v;
-  };
+  DisjointSets connected(connectivity.vertex_slots());
   int parts = connectivity.vertex_count();
   for (int f = 0; f < connectivity.face_slots(); ++f) {
     if (!connectivity.alive(f)) continue;
     for (int i = 0; i < 2; ++i) {
-      const int a = root(connectivity.face(f)[i]), b = root(connectivity.face(f)[i + 1]);
-      if (a != b) parent[std::max(a, b)] = std::min(a, b), --parts;
+      const int a = connectivity.face(f)[i], b = connectivity.face(f)[i + 1];
+      parts -= connected.root(a) != connected.root(b);
+      connected.unite(a, b);
     }
   }
   return parts > 1;
@@ -87,15 +85,13 @@ inline bool has_several_parts(const TriangleConnectivity& connectivity) {
 /// nearest other surface.
 class Parts : public CollapseObserver {
  public:
-  Parts(const WorkingMesh& mesh, const PriceUnit& price_unit)
+  Parts(const WorkingMesh& mesh, const PriceUnit& price_unit, const ObstaclePrice& obstacle_price)
       : mesh_(mesh),
         price_unit_(price_unit),
+        obstacle_price_(obstacle_price),
         area_(mesh.position.size(), 0.0),
         cut_(mesh.position.size(), 0),
         several_(has_several_parts(mesh.connectivity)) {
-    std::vector<int> faces(mesh.connectivity.face_slots());
-    std::iota(faces.begin(), faces.end(), 0);
-    volume_ = volume_of(mesh, faces);
     for (int f = 0; f < mesh.connectivity.face_slots(); ++f)
       if (mesh.connectivity.alive(f))
         for (int v : mesh.connectivity.face(f)) area_[v] += mesh.plane[f].area / 3.0;
@@ -228,12 +224,14 @@ class Parts : public CollapseObserver {
     if (std::none_of(part.vertices.begin(), part.vertices.end(),
                      [&](int v) { return cut_[v] != 0; }))
       return false;
+    double volume = 0.0;
     for (int f : part.faces) {
       const Face& face = mesh_.connectivity.face(f);
       for (int i = 0; i < 3; ++i)
         if (mesh_.connectivity.edge_valence(face[i], face[(i + 1) % 3]) != 2) return false;
+      volume += volume_below(mesh_, f, Vector3::Zero());
     }
-    return volume_of(mesh_, part.faces) * volume_ < 0.0;
+    return obstacle_price_.is_inside_out(volume);
   }
 
   /// To the nearest other surface.
@@ -254,7 +252,7 @@ class Parts : public CollapseObserver {
     return least;
   }
 
-  /// Of the vertices and of the faces' centres.
+  /// The tree holds the vertices and the faces' centres.
   void make_tree() {
     std::vector<Vector3> points;
     for (int v = 0; v < mesh_.connectivity.vertex_slots(); ++v)
@@ -262,8 +260,7 @@ class Parts : public CollapseObserver {
         points.push_back(mesh_.position[v]), vertex_of_.push_back(v);
     for (int f = 0; f < mesh_.connectivity.face_slots(); ++f) {
       if (!mesh_.connectivity.alive(f)) continue;
-      const Triangle t = mesh_.triangle(f);
-      points.push_back((t[0] + t[1] + t[2]) / 3.0);
+      points.push_back(center_of(mesh_.triangle(f)));
       vertex_of_.push_back(mesh_.connectivity.face(f)[0]);
     }
     tree_.emplace(std::move(points));
@@ -280,7 +277,7 @@ class Parts : public CollapseObserver {
 
   const WorkingMesh& mesh_;
   const PriceUnit price_unit_;
-  double volume_ = 0.0;            // of the input: its sign tells the outside
+  const ObstaclePrice& obstacle_price_;
   std::vector<double> area_;       // by vertex: of the input, that has gone into it
   std::vector<std::uint8_t> cut_;  // by vertex
   bool several_;                   // false: nothing may vanish

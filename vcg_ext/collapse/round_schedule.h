@@ -8,7 +8,6 @@
 
 #include "vcg_ext/collapse/collapse_operator.h"
 #include "vcg_ext/collapse/hub_rests.h"
-#include "vcg_ext/collapse/parts.h"
 #include "vcg_ext/collapse/round_selection.h"
 #include "vcg_ext/mesh/tally.h"
 #include "vcg_ext/parallel/parallel.h"
@@ -32,12 +31,12 @@ class RoundSchedule {
   /// largest_share: of the vertices' choices that may be candidates, 0..1. Fewer take more rounds
   /// and follow the greedy order more closely.
   RoundSchedule(WorkingMesh& mesh, CollapseOperator<MetricType>& collapses,
-                HubRests<MetricType>& rests, Parts* parts, const StopCriterion& stop,
-                double largest_share, const Parallel& parallel)
+                HubRests<MetricType>& rests, const StopCriterion& stop, double largest_share,
+                const Parallel& parallel)
       : mesh_(mesh),
         collapses_(collapses),
         rests_(rests),
-        parts_(parts),
+        parts_(collapses.parts()),
         stop_(stop),
         parallel_(parallel),
         largest_share_(largest_share),
@@ -161,6 +160,7 @@ class RoundSchedule {
       });
     }
     count_picks(tally);
+    if (parts_) give_way(tally);
   }
 
   template <class Work>
@@ -187,7 +187,7 @@ class RoundSchedule {
     pick.answer = rests_.ask(pick.edge, candidate->position, scratch);
     const Priority price = collapses_.priority(pick.edge, candidate->cost + pick.answer.price);
     const bool affordable = !pick.answer.refusal && !(selection_.limit() < price);
-    pick.clears = affordable && pick.answer.obstacle.kind != Obstacle::Kind::None;
+    pick.clears = affordable && pick.answer.obstacle.exists();
     pick.ready = affordable && !pick.clears;
     refused_[pick.edge.a] = !affordable;
   }
@@ -230,7 +230,11 @@ class RoundSchedule {
       tally.count_step(std::max(tally.cost_last, pick.candidate.cost), pick.answer.error_bound);
     }
     next_number_ += static_cast<int>(picks_.size());
-    if (!parts_) return;
+  }
+
+  /// What the picks that were collapsed have left small may vanish, and what the others met is
+  /// cleared.
+  void give_way(Tally& tally) {
     for (const Pick& pick : picks_)
       if (pick.ready) parts_->offer(pick.edge.a), parts_->offer(pick.edge.b);
     for (const Pick& pick : picks_)
@@ -243,11 +247,8 @@ class RoundSchedule {
         collapses_.exists(edge) ? collapses_.evaluate(edge) : std::nullopt;
     if (!candidate) return;
     const GuardAnswer answer = collapses_.ask(edge, candidate->position, scratch_[0]);
-    if (answer.refusal || answer.obstacle.kind == Obstacle::Kind::None) return;
-    collapses_.make_room(next_number_ + collapses_.topology().most_records);
-    const std::vector<int> touched =
-        collapses_.topology().clear(edge, answer.obstacle, next_number_, tally);
-    next_number_ += collapses_.topology().most_records;
+    if (answer.refusal || !answer.obstacle.exists()) return;
+    const std::vector<int> touched = collapses_.clear(edge, answer.obstacle, next_number_, tally);
     refused_[edge.a] = touched.empty();
     for (int v : touched) {
       selection_.set_merged({v, v});
@@ -263,7 +264,7 @@ class RoundSchedule {
       const auto part =
           parts_->take(selection_.limit(), mesh_.connectivity.face_count() - stop_.faces);
       if (!part) break;
-      collapses_.topology().remove(*part, tally);
+      collapses_.remove(*part, tally);
       for (int v : part->vertices) outdated_[v] = 1;
     }
   }
@@ -286,7 +287,7 @@ class RoundSchedule {
   WorkingMesh& mesh_;
   Operator& collapses_;
   HubRests<MetricType>& rests_;
-  Parts* parts_;  // that may vanish; nullptr: none may
+  Parts* const parts_;  // that may vanish; nullptr: none may
   const StopCriterion& stop_;
   const Parallel& parallel_;
   const double largest_share_;

@@ -8,7 +8,6 @@
 #include "vcg_ext/collapse/collapse_operator.h"
 #include "vcg_ext/collapse/edge_queue.h"
 #include "vcg_ext/collapse/hub_rests.h"
-#include "vcg_ext/collapse/parts.h"
 #include "vcg_ext/mesh/tally.h"
 #include "vcg_ext/parallel/parallel.h"
 #include "vcg_ext/parallel/progress_meter.h"
@@ -33,12 +32,12 @@ class StrictSchedule {
  public:
   /// eager: evaluate all edges around the merged vertex again. next_number: of the next collapse.
   StrictSchedule(WorkingMesh& mesh, CollapseOperator<MetricType>& collapses,
-                 HubRests<MetricType>& rests, Parts* parts, const StopCriterion& stop, bool eager,
+                 HubRests<MetricType>& rests, const StopCriterion& stop, bool eager,
                  int next_number)
       : mesh_(mesh),
         collapses_(collapses),
         rests_(rests),
-        parts_(parts),
+        parts_(collapses.parts()),
         stop_(stop),
         eager_(eager),
         next_number_(next_number),
@@ -94,7 +93,7 @@ class StrictSchedule {
         queue_.set(edge.a, rests_.cheapest_possible(edge.a, scratch_));
         continue;
       }
-      if (answer.obstacle.kind != Obstacle::Kind::None)
+      if (answer.obstacle.exists())
         clear(edge, answer.obstacle, tally);
       else
         collapse(*candidate, answer.error_bound, tally);
@@ -111,20 +110,17 @@ class StrictSchedule {
     if (!part && queue_.empty() && parts_->widen())
       part = parts_->take(limit, most + 2);  // four closed faces where a pair is to go
     if (!part) return false;
-    collapses_.topology().remove(*part, tally);
+    collapses_.remove(*part, tally);
     for (int v : part->vertices) queue_.remove(v);
     return true;
   }
 
   void clear(Edge edge, const Obstacle& obstacle, Tally& tally) {
-    collapses_.make_room(next_number_ + collapses_.topology().most_records);
-    const std::vector<int> touched =
-        collapses_.topology().clear(edge, obstacle, next_number_, tally);
+    const std::vector<int> touched = collapses_.clear(edge, obstacle, next_number_, tally);
     if (touched.empty()) {
       ++tally.rejected[Rejection::LinkCondition];
       return queue_.remove(edge.a);
     }
-    next_number_ += collapses_.topology().most_records;
     for (int v : touched) {
       queue_.set(v, collapses_.cheapest(v, scratch_));
       collapses_.gather_mates(v, ring_);
@@ -176,7 +172,7 @@ class StrictSchedule {
   WorkingMesh& mesh_;
   CollapseOperator<MetricType>& collapses_;
   HubRests<MetricType>& rests_;
-  Parts* parts_;  // that may vanish; nullptr: none may
+  Parts* const parts_;  // that may vanish; nullptr: none may
   const StopCriterion& stop_;
   const bool eager_;
   int next_number_;  // of the next collapse

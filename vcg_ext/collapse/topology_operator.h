@@ -9,8 +9,9 @@
 #include <vector>
 
 #include "vcg_ext/collapse/collapse_observer.h"
+#include "vcg_ext/collapse/free_slots.h"
 #include "vcg_ext/collapse/parts.h"
-#include "vcg_ext/collapse/surface_change.h"
+#include "vcg_ext/collapse/surface_cut.h"
 #include "vcg_ext/guard/collapse_guards.h"
 #include "vcg_ext/mesh/tally.h"
 

@@ -24,6 +24,8 @@ inline Vector3 area_vector(const Vector3& a, const Vector3& b, const Vector3& c)
 
 inline Vector3 area_vector(const Triangle& t) { return area_vector(t[0], t[1], t[2]); }
 
+inline Vector3 center_of(const Triangle& t) { return (t[0] + t[1] + t[2]) / 3.0; }
+
 /// Unit normal and area of a face; the normal of a face without area is zero.
 struct FacePlane {
   Vector3 normal = Vector3::Zero();

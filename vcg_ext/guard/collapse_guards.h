@@ -21,17 +21,18 @@ struct GuardAnswer {
   Obstacle obstacle{};               ///< to be cleared instead
 };
 
-/// All that may refuse a collapse once its kinds allow it, or make it dear: the cheap guards first.
+/// All that may refuse a collapse once its kinds allow it, or make it costlier: the cheap guards
+/// first.
 class CollapseGuards {
  public:
   CollapseGuards(const WorkingMesh& mesh, const CollapseLimits& limits)
       : mesh_(mesh),
         link_condition_(limits.keeps_topology || limits.max_error > 0.0),
-        gives_way_(limits.topology_gives_way),
         keeps_normal_(limits.faces.keeps_normal),
         face_guard_(mesh, limits.faces),
-        obstacle_price_(mesh),
-        bound_(mesh, limits.max_error) {}
+        bound_(mesh, limits.max_error) {
+    if (limits.topology_gives_way) obstacle_price_.emplace(mesh);
+  }
 
   /// May the edge collapse to x? If so, `after` has the planes that the star would have.
   GuardAnswer ask(const EdgeNeighborhood& around, const Vector3& x,
@@ -39,7 +40,7 @@ class CollapseGuards {
     GuardAnswer answer;
     if (link_condition_) answer.obstacle = obstacle(around);
     if (answer.obstacle.kind == Obstacle::Kind::Fixed) return {Rejection::LinkCondition};
-    answer.price = obstacle_price_.of(around, answer.obstacle);
+    if (answer.obstacle.exists()) answer.price = obstacle_price_->of(around, answer.obstacle);
     after.clear();
     for (int f : around.star()) {
       const Triangle moved = triangle_after(mesh_, f, around.edge(), x);
@@ -60,6 +61,11 @@ class CollapseGuards {
     if (bound_.active()) bound_.set(around, error_bound);
   }
 
+  /// What it costs that the topology gives way; nullptr: it does not.
+  const ObstaclePrice* obstacle_price() const {
+    return obstacle_price_ ? &*obstacle_price_ : nullptr;
+  }
+
   /// To be told of every face that the topology gave way with.
   void renew(int f) { face_guard_.renew(f); }
 
@@ -70,15 +76,15 @@ class CollapseGuards {
 
  private:
   Obstacle obstacle(const EdgeNeighborhood& around) const {
-    if (gives_way_) return find_obstacle(mesh_, around);
+    if (obstacle_price_) return find_obstacle(mesh_, around);
     return {satisfies_link_condition(mesh_, around) ? Obstacle::Kind::None : Obstacle::Kind::Fixed};
   }
 
   const WorkingMesh& mesh_;
   const bool link_condition_;  // also for the bound: without it a part may vanish
-  const bool gives_way_, keeps_normal_;
+  const bool keeps_normal_;
   FaceGuard face_guard_;
-  ObstaclePrice obstacle_price_;
+  std::optional<ObstaclePrice> obstacle_price_;  // where the topology gives way
   ErrorBound bound_;
 };
 

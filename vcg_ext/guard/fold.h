@@ -16,7 +16,7 @@ inline bool lie_on_each_other(const FacePlane& f, const FacePlane& g) {
   return f.normal.dot(g.normal) < folded_cosine;
 }
 
-/// The vertex of star face f, beside the merged one, that it shares with star face g; -1: none.
+/// True if two faces of the star share a vertex beside the merged one.
 inline bool share_edge(const WorkingMesh& mesh, int f, int g, Edge edge) {
   for (int u : mesh.connectivity.face(f))
     if (u != edge.a && u != edge.b && mesh.connectivity.face_has(g, u)) return true;

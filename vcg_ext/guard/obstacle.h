@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <numeric>
-#include <optional>
 #include <vector>
 
 #include "vcg_ext/geometry/closest_point.h"
@@ -25,6 +23,8 @@ struct Obstacle {
 
   Kind kind = Kind::None;
   int third = -1;  ///< Loop: the path's vertex beside the edge's ends
+
+  bool exists() const { return kind != Kind::None; }
 };
 
 /// True if the surface may be cut open at v.
@@ -40,7 +40,8 @@ inline double loop_size(const WorkingMesh& mesh, int a, int b, int c) {
   return area_vector(t).norm() * longest2;
 }
 
-/// Of the closed paths of three edges through the edge the smallest that may be cut; none: -1.
+/// Finds the smallest closed path of three edges through the edge that may be cut. Returns its
+/// third vertex, or -1.
 inline int smallest_loop(const WorkingMesh& mesh, const EdgeNeighborhood& around) {
   const TriangleConnectivity& connectivity = mesh.connectivity;
   const auto [a, b] = around.edge();
@@ -87,11 +88,7 @@ class SideOfLoop {
   /// Six times the volume between it and the loop's triangle, above 0 where it faces outward.
   double volume() const {
     double sum = 0.0;
-    const Vector3& origin = mesh_.position[loop_[0]];
-    for (int f : faces_) {
-      const Triangle t = mesh_.triangle(f);
-      sum += (t[0] - origin).dot((t[1] - origin).cross(t[2] - origin));
-    }
+    for (int f : faces_) sum += volume_below(mesh_, f, mesh_.position[loop_[0]]);
     return sum;
   }
 
@@ -101,8 +98,7 @@ class SideOfLoop {
                        mesh_.position[loop_[2]]};
     double sum = 0.0;
     for (int f : faces_) {
-      const Triangle t = mesh_.triangle(f);
-      const Vector3 center = (t[0] + t[1] + t[2]) / 3.0;
+      const Vector3 center = center_of(mesh_.triangle(f));
       sum += mesh_.plane[f].area * (at(cap, closest_point(cap, center)) - center).squaredNorm();
     }
     return sum;
@@ -134,16 +130,18 @@ class SideOfLoop {
 class ObstaclePrice {
  public:
   explicit ObstaclePrice(const WorkingMesh& mesh) : mesh_(mesh) {
-    std::vector<int> faces(mesh.connectivity.face_slots());
-    std::iota(faces.begin(), faces.end(), 0);
-    volume_ = volume_of(mesh, faces);
+    for (int f = 0; f < mesh.connectivity.face_slots(); ++f)
+      volume_ += volume_below(mesh, f, Vector3::Zero());
   }
 
+  /// True if a closed surface with this volume has its inside out, other than the input.
+  bool is_inside_out(double volume) const { return volume * volume_ < 0.0; }
+
+  /// obstacle: one that can be cleared.
   double of(const EdgeNeighborhood& around, const Obstacle& obstacle) const {
     const auto [a, b] = around.edge();
     const double length2 = (mesh_.position[a] - mesh_.position[b]).squaredNorm();
     if (obstacle.kind == Obstacle::Kind::Bridge) return share * 0.5 * length2 * length2;
-    if (obstacle.kind != Obstacle::Kind::Loop) return 0.0;
     return share * loop_size(mesh_, a, b, obstacle.third) +
            sealed_share * sealed(around, {a, b, obstacle.third});
   }
@@ -157,7 +155,7 @@ class ObstaclePrice {
     double sum = 0.0;
     for (int f : around.wings()) {
       const SideOfLoop side(mesh_, loop, f);
-      if (side.is_closed() && side.volume() * volume_ < 0.0) sum += side.distance_to_loop();
+      if (side.is_closed() && is_inside_out(side.volume())) sum += side.distance_to_loop();
     }
     return sum;
   }

@@ -52,8 +52,8 @@ class WriteBack {
   /// v: the number at the start.
   const Vertex& start_vertex(int v) const { return mesh_.vert[copy_.vertex_of[v]]; }
 
-  /// Of the vertices that were one in the host's mesh and are left, the first goes there, and each
-  /// of the others to a new one with all that it carries.
+  /// The first of those that are left of a host's vertex goes there, and each of the others to a
+  /// new one with all that it carries.
   void place_vertices() {
     std::vector<bool> taken(mesh_.vert.size(), false);
     std::vector<int> copied;

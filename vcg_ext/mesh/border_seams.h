@@ -112,7 +112,7 @@ class BorderSeams {
   int low_of(const FaceSide& side) const { return end_of(side, side.forward ? 0 : 1); }
   int high_of(const FaceSide& side) const { return end_of(side, side.forward ? 1 : 0); }
 
-  /// Of all faces, if wanted(a, b); name(v) names the ends. In the order of their edges.
+  /// The sides of all faces, if wanted(a, b), in the order of their edges; name(v) names the ends.
   template <class Wanted, class Name>
   std::vector<FaceSide> sides(Wanted wanted, Name name) const {
     std::vector<FaceSide> sides;
@@ -206,7 +206,7 @@ class BorderSeams {
     if (changed_[v]) given_up_[site_[v]] = true;
   }
 
-  /// Of a face that would have a vertex twice.
+  /// Gives up where a face would have a vertex twice.
   bool give_up_at_faces() {
     bool any = false;
     for (int f = 0; f < mesh_.connectivity.face_slots(); ++f)
@@ -219,7 +219,7 @@ class BorderSeams {
     return any;
   }
 
-  /// Of edges that become one and whose faces do not come in pairs.
+  /// Gives up where edges become one and their faces do not come in pairs.
   bool give_up_at_edges() {
     bool any = false;
     const auto all = sides([&](int a, int b) { return changed_[a] || changed_[b]; },

@@ -46,16 +46,10 @@ inline Vector3 area_vector_around(const WorkingMesh& mesh, int v) {
   return sum;
 }
 
-/// Six times the volume that faces enclose, above 0 where they face outward.
-template <class Faces>
-double volume_of(const WorkingMesh& mesh, const Faces& faces) {
-  double sum = 0.0;
-  for (int f : faces) {
-    if (!mesh.connectivity.alive(f)) continue;
-    const Triangle t = mesh.triangle(f);
-    sum += t[0].dot(t[1].cross(t[2]));
-  }
-  return sum;
+/// Six times the volume between a face and a point, above 0 where the face looks away from it.
+inline double volume_below(const WorkingMesh& mesh, int f, const Vector3& point) {
+  const Triangle t = mesh.triangle(f);
+  return (t[0] - point).dot((t[1] - point).cross(t[2] - point));
 }
 
 /// Face f with its corner at a or b moved to x.

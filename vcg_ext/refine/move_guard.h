@@ -42,7 +42,7 @@ class MoveGuard {
   /// face's centre.
   double facing(const Triangle& triangle, int hint) const {
     const Vector3 normal = face_plane(triangle).normal;
-    const Vector3 center = (triangle[0] + triangle[1] + triangle[2]) / 3.0;
+    const Vector3 center = center_of(triangle);
     return normal.dot(face_plane(input_.triangle(tree_.nearest(center, hint).face)).normal);
   }
 

@@ -163,8 +163,7 @@ class TriangleTree {
   void sort_faces(const Parallel& parallel) {
     std::vector<std::pair<std::uint64_t, int>> keys(order_.size());
     parallel.for_each(face_count(), [&](int f) {
-      const Triangle t = surface_.triangle(f);
-      const Vector3 center = (t[0] + t[1] + t[2]) / 3.0;
+      const Vector3 center = center_of(surface_.triangle(f));
       keys[f] = {morton_code(center.cwiseMax(-0.5).cwiseMin(0.5)), f};
     });
     parallel.sort(keys.begin(), keys.end());

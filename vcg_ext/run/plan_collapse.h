@@ -60,11 +60,10 @@ inline std::optional<CollapsePlan> plan_collapse(const DecimationParams& params,
   if (!stop) return std::nullopt;
   CollapsePlan plan;
   plan.stop = *stop;
-  plan.limits = {{params.preserve_normal, params.normal_angle},
-                 true,
-                 params.preserve_boundary,
-                 !params.preserve_topology && !(params.max_error > 0.0),
-                 params.max_error / input.diagonal};
+  plan.limits.faces = {params.preserve_normal, params.normal_angle};
+  plan.limits.keeps_boundary = params.preserve_boundary;
+  plan.limits.topology_gives_way = !params.preserve_topology && !(params.max_error > 0.0);
+  plan.limits.max_error = params.max_error / input.diagonal;
   plan.metric = quadric_plan(params, QuadricParams(), true);
   plan.schedule = schedule_of(Scheduler::Rounds, true);
   plan.boundary_weight = params.boundary_weight;

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -48,8 +47,9 @@ class SurfaceCut {
   int before(int i) const { return is_loop() ? path_[(i + 2) % 3] : i == 1 ? path_[0] : none; }
   int after(int i) const { return is_loop() ? path_[(i + 1) % 3] : i == 0 ? path_[1] : none; }
 
+  /// True if the face runs from one to the other; none: there is no such edge.
   bool has_directed(int f, int from, int to) const {
-    return to != none && mesh_.connectivity.face_has(f, to) &&
+    return from != none && mesh_.connectivity.face_has(f, from) &&
            mesh_.connectivity.next_vertex(f, from) == to;
   }
 
@@ -79,13 +79,9 @@ class SurfaceCut {
   bool find_right(int i) {
     const int v = path_[i], p = before(i), n = after(i);
     const auto follows = [&](int f) {  // an edge of the path lies along the face's left side
-      return has_directed(f, v, n) || (p != none && mesh_.connectivity.face_has(f, p) &&
-                                       mesh_.connectivity.next_vertex(f, p) == v);
+      return has_directed(f, v, n) || has_directed(f, p, v);
     };
-    const auto opposes = [&](int f) {
-      return has_directed(f, v, p) || (n != none && mesh_.connectivity.face_has(f, n) &&
-                                       mesh_.connectivity.next_vertex(f, n) == v);
-    };
+    const auto opposes = [&](int f) { return has_directed(f, v, p) || has_directed(f, n, v); };
     std::vector<int>& faces = right_[i];
     for (int f : mesh_.connectivity.faces_of(v))
       if (opposes(f)) faces.push_back(f);
@@ -107,39 +103,6 @@ class SurfaceCut {
   std::vector<int> path_;
   std::vector<std::vector<int>> right_;  // by place on the path
   bool is_possible_ = true, fills_ = false;
-};
-
-/// Numbers of vertices and faces that are gone, to be used again.
-class FreeSlots {
- public:
-  explicit FreeSlots(const TriangleConnectivity& connectivity) : connectivity_(connectivity) {}
-
-  /// The next ones after those taken last, in ascending order; nullopt: there are not so many.
-  std::optional<std::vector<int>> vertices(int count) {
-    return take(count, connectivity_.vertex_slots(), next_vertex_,
-                [&](int v) { return connectivity_.faces_of(v).size() == 0; });
-  }
-  std::optional<std::vector<int>> faces(int count) {
-    return take(count, connectivity_.face_slots(), next_face_,
-                [&](int f) { return !connectivity_.alive(f); });
-  }
-
- private:
-  template <class IsFree>
-  static std::optional<std::vector<int>> take(int count, int size, int& next, IsFree is_free) {
-    std::vector<int> found;
-    int place = next < size ? next : 0;
-    for (int looked = 0; looked < size && static_cast<int>(found.size()) < count; ++looked) {
-      if (is_free(place)) found.push_back(place);
-      place = place + 1 < size ? place + 1 : 0;
-    }
-    if (static_cast<int>(found.size()) < count) return std::nullopt;
-    next = place;
-    return found;
-  }
-
-  const TriangleConnectivity& connectivity_;
-  int next_vertex_ = 0, next_face_ = 0;
 };
 
 }  // namespace curvdecim::detail
