@@ -61,6 +61,7 @@ struct DecimationReport {
   std::int64_t parts_removed = 0;     ///< pieces of the surface that vanished
   std::int64_t holes_closed = 0;      ///< that had come down to three edges
   std::int64_t handles_cut = 0;       ///< handles, tunnels and necks
+  std::int64_t junctions_parted = 0;  ///< vertices where sheets met that came apart
   double largest_removed = 0.0;       ///< diameter of the largest of these when it went
   double seconds = 0.0;
   std::vector<std::string> notes;  ///< repairs, warnings and the reason of the stop, for the log

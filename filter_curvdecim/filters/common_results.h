@@ -54,6 +54,9 @@ ResultRows<R, P> topology_results() {
           only_if(gives_way,
                   result<R, P>("handles_cut", "handles",
                                "handles, tunnels and necks that were cut" + when, &R::handles_cut)),
+          only_if(gives_way, result<R, P>("junctions_parted", "vertices",
+                                          "where three or more sheets met that came apart" + when,
+                                          &R::junctions_parted)),
           only_if(gives_way, result<R, P>("largest_removed", length_unit,
                                           "diameter of the largest of these when it went" + when,
                                           &R::largest_removed))};

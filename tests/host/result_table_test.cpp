@@ -41,7 +41,8 @@ TEST(ResultTable, RowsHaveUniqueNamesAndMeanings) {
   }
 }
 
-const Names topology = {"parts_removed", "holes_closed", "handles_cut", "largest_removed"};
+const Names topology = {"parts_removed", "holes_closed", "handles_cut", "junctions_parted",
+                        "largest_removed"};
 const Names collapse_end = {"cost_last",
                             "rejected_link_condition",
                             "rejected_normal_flip",

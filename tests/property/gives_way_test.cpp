@@ -99,6 +99,28 @@ TEST(GivingWay, KeepsThePartWithALockedVertex) {
   EXPECT_EQ(decimate(mesh, params).parts_removed, 0);
 }
 
+TEST(GivingWay, PartsSheetsThatMeetWhereTheyAreInTheWay) {
+  for (int pages : {3, 4, 5}) {
+    SCOPED_TRACE(pages);
+    const Shape before = book(pages, 12);
+    const auto [after, report] = decimated(before, to_faces(pages));
+    EXPECT_LE(after.face_count(), pages);
+    EXPECT_GT(report.junctions_parted, 0);
+    EXPECT_EQ(report.stopped_by, StopReason::Target);
+    EXPECT_TRUE(is_said(report, "junction"));
+    EXPECT_LE(topology(after).nonmanifold_edges, topology(before).nonmanifold_edges);
+    EXPECT_TRUE(all_finite(after));
+  }
+}
+
+TEST(GivingWay, KeepsACurveWhileItIsWorthIt) {
+  const Shape before = book(3, 12);
+  const auto [after, report] = decimated(before, to_faces(before.face_count() / 4));
+  EXPECT_EQ(report.junctions_parted, 0);
+  EXPECT_GT(topology(after).nonmanifold_edges, 0);
+  EXPECT_EQ(decimated(before, keeping(1)).report.junctions_parted, 0);
+}
+
 TEST(GivingWay, IsOffWithABound) {
   EdgeCollapseParams params = to_faces(4);
   params.max_error = 100.0;

@@ -25,13 +25,13 @@ inline CurvatureAdditiveMetric additive_metric(const WorkingMesh& mesh, EdgeColl
   return {mesh, std::get<CurvatureAdditivePlan>(metric_plan(params, true, 1.0))};
 }
 
-/// The limits of a run in which nothing gives way, lengths in the unit of the positions.
-/// keeps_links: false as with pairs.
-inline CollapseLimits limits_of(const DecimationParams& params, bool keeps_links = true) {
+/// The limits of a run, lengths in the unit of the positions. keeps_links: false as with pairs.
+inline CollapseLimits limits_of(const DecimationParams& params, bool keeps_links = true,
+                                bool gives_way = false) {
   return {{params.preserve_normal, params.normal_angle},
           keeps_links,
           params.preserve_boundary,
-          false,
+          gives_way,
           params.max_error};
 }
 

@@ -68,5 +68,19 @@ TEST(CollapseRule, FreesAllButTheLockedWithoutTopology) {
   EXPECT_EQ(answer(K::Interior, K::Interior, {}, true, true, false), stays);
 }
 
+TEST(CollapseRule, LetsSheetsPartWhereTheTopologyGivesWay) {
+  WorkingMesh mesh;
+  mesh.kind = {K::Junction, K::Junction, K::Boundary, K::Curve};
+  mesh.locked = {0, 0, 0, 0};
+  const CollapseRule rule(mesh, limits_of({}, true, true));
+  EXPECT_EQ(rule({0, 1}), Allowed::Anywhere);
+  EXPECT_EQ(rule.of_kinds({0, 1}), stays);
+  EXPECT_EQ(rule({2, 3}), Allowed::Anywhere);
+  EXPECT_EQ(rule({0, 3}), Allowed::OntoA);
+  mesh.locked[1] = mesh.locked[2] = 1;
+  EXPECT_EQ(rule({0, 1}), stays);
+  EXPECT_EQ(rule({2, 3}), stays);
+}
+
 }  // namespace
 }  // namespace curvdecim::test

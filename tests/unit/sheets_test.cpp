@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "support/drawn_meshes.h"
@@ -17,9 +19,9 @@ using namespace detail;
 namespace {
 
 /// The shape with its sheets separated by what is between their faces.
-Shape separated(const Shape& shape, Between between = Between::Material) {
+Shape separated(const Shape& shape, Pairing pairing = Pairing::Material) {
   const WorkingMesh mesh = working_mesh(shape);
-  const Revertexed apart = separated_sheets(mesh, between);
+  const Revertexed apart = separated_sheets(mesh, pairing);
   if (apart.faces.empty()) return shape;
   Shape result{{}, apart.faces};
   for (int v : apart.old_of) result.vertices.push_back(shape.vertices[v]);
@@ -27,8 +29,8 @@ Shape separated(const Shape& shape, Between between = Between::Material) {
 }
 
 /// Two closed parts without a flaw, each around material of its own.
-void expect_two_parts(const Shape& shape, Between between = Between::Material) {
-  const Topology is = topology(separated(shape, between));
+void expect_two_parts(const Shape& shape, Pairing pairing = Pairing::Material) {
+  const Topology is = topology(separated(shape, pairing));
   EXPECT_EQ(is.nonmanifold_edges, 0);
   EXPECT_EQ(is.nonmanifold_vertices, 0);
   EXPECT_EQ(is.boundary_loops, 0);
@@ -38,7 +40,7 @@ void expect_two_parts(const Shape& shape, Between between = Between::Material) {
 }
 
 void expect_as_it_is(const Shape& shape) {
-  EXPECT_TRUE(separated_sheets(working_mesh(shape), Between::Material).faces.empty());
+  EXPECT_TRUE(separated_sheets(working_mesh(shape), Pairing::Material).faces.empty());
 }
 
 TEST(Sheets, OfBoxesWithACommonEdgeAreTheBoxes) { expect_two_parts(boxes_at_an_edge()); }
@@ -73,14 +75,14 @@ TEST(Sheets, OfAFinInTheAirAndItsBoxAreBoth) {
 TEST(Sheets, OfAFinInsideTheMaterialArePartedByTheAir) {
   const Shape shape = box_with_fin({0.5, 0.5, 0.5});
   expect_as_it_is(shape);  // it is a slit, and the material is one piece around it
-  expect_two_parts(shape, Between::Air);
+  expect_two_parts(shape, Pairing::Air);
 }
 
 TEST(Sheets, OfPartsTurnedInsideOutArePartedByTheAir) {
   Shape inside_out = boxes_at_an_edge();
   for (Corners& f : inside_out.faces) std::swap(f[0], f[1]);
   expect_as_it_is(inside_out);  // the air between the boxes is one piece of material
-  expect_two_parts(inside_out, Between::Air);
+  expect_two_parts(inside_out, Pairing::Air);
 }
 
 TEST(Sheets, DoNotDependOnThePlaceInSpace) {
@@ -102,7 +104,7 @@ TEST(Sheets, OfADoubledSurfaceAreItsSides) {
 }
 
 TEST(Sheets, CopiesFollowTheirOriginal) {
-  const Revertexed apart = separated_sheets(working_mesh(bowtie()), Between::Material);
+  const Revertexed apart = separated_sheets(working_mesh(bowtie()), Pairing::Material);
   EXPECT_EQ(apart.old_of, (std::vector<int>{0, 0, 1, 2, 3, 4}));
 }
 
@@ -122,10 +124,54 @@ TEST(Sheets, WithAFaceThatHasNoSideStayTogether) {
   EXPECT_EQ(topology(separated(shape)).nonmanifold_edges, topology(shape).nonmanifold_edges);
 }
 
+/// How many sheets can be parted at v.
+int partable_at(const Shape& shape, int v) {
+  const std::vector<int> sheets = partable_sheets(working_mesh(shape), v);
+  return sheets.empty() ? 0 : *std::max_element(sheets.begin(), sheets.end()) + 1;
+}
+
+TEST(Sheets, OfABookCanBeParted) {
+  for (int pages : {3, 4, 5}) {  // they all run alike along the spine: none hang together
+    EXPECT_EQ(partable_at(book(pages, 4), 2), pages);
+    EXPECT_EQ(partable_at(book(pages, 4), 0), pages);  // at the end of the spine
+  }
+}
+
+TEST(Sheets, OfAManifoldOrAtALockedVertexCannotBeParted) {
+  EXPECT_EQ(partable_at(plane_grid(4), 12), 0);
+  EXPECT_EQ(partable_at(plane_grid(4), 0), 0);
+  WorkingMesh mesh = working_mesh(book(3, 4));
+  mesh.locked[2] = 1;
+  EXPECT_TRUE(partable_sheets(mesh, 2).empty());
+}
+
+TEST(Sheets, ThatAreFlattestHangTogether) {
+  // From the origin: a plane in two halves, and a third page that stands on it.
+  Shape shape{{{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {-1, 0, 0.2}, {0.1, 0, 1}}, {}};
+  shape.faces = {{0, 2, 1}, {1, 3, 0}, {0, 1, 4}};
+  EXPECT_EQ(partable_sheets(working_mesh(shape), 0), (std::vector<int>{0, 0, 1}));
+}
+
+TEST(Sheets, AreAllPartedWhereTheFlattestHangTogetherInARing) {
+  // Four sheets around a line through vertex 0; above it 0 goes on as 1 and 2 as 3, below 0 as 3.
+  Shape shape{{{0, 0, 0}, {0, 0, 1}, {0, 0, -1}}, {}};
+  const auto add = [&](double degrees, double z) {
+    const double angle = degrees * M_PI / 180.0;
+    shape.vertices.push_back({std::cos(angle), std::sin(angle), z});
+    return shape.vertex_count() - 1;
+  };
+  const double above[] = {0, 180, 80, 260}, below[] = {0, 80, 260, 180};
+  for (int i = 0; i < 4; ++i) {
+    const int m = add(above[i], 0.5), n = add(below[i], -0.5);
+    shape.faces.insert(shape.faces.end(), {{0, 1, m}, {0, m, n}, {0, n, 2}});
+  }
+  EXPECT_EQ(partable_at(shape, 0), 4);
+}
+
 TEST(Sheets, LockedVerticesStayOne) {
   WorkingMesh mesh = working_mesh(touching_spheres());
   mesh.locked[0] = 1;
-  EXPECT_TRUE(separated_sheets(mesh, Between::Material).faces.empty());
+  EXPECT_TRUE(separated_sheets(mesh, Pairing::Material).faces.empty());
 }
 
 }  // namespace

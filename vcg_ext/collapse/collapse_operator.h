@@ -184,10 +184,7 @@ class CollapseOperator {
   /// The obstacle to the edge's collapse gives way. Returns the vertices that have other faces now;
   /// none: it is not possible here. next_number: of the next collapse; moves on.
   std::vector<int> clear(Edge edge, const Obstacle& obstacle, int& next_number, Tally& tally) {
-    make_room(next_number + topology_operator_.most_records);
-    std::vector<int> touched = topology_operator_.clear(edge, obstacle, next_number, tally);
-    if (!touched.empty()) next_number += topology_operator_.most_records;
-    return touched;
+    return topology_operator_.clear(edge, obstacle, next_number, tally);
   }
 
  private:

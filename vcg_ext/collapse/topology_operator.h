@@ -22,8 +22,6 @@ namespace curvdecim::detail {
 template <class MetricType>
 class TopologyOperator {
  public:
-  static constexpr int most_records = 3;  ///< of copies, that clearing an obstacle takes
-
   TopologyOperator(WorkingMesh& mesh, MetricType& metric, CollapseGuards& guards,
                    const CollapseObservers& observers)
       : mesh_(mesh),
@@ -34,25 +32,12 @@ class TopologyOperator {
         slots_(mesh.connectivity) {}
 
   /// The obstacle to the edge's collapse gives way. Returns the vertices that have other faces now;
-  /// none: it is not possible here. number: of the first record.
-  std::vector<int> clear(Edge edge, const Obstacle& obstacle, int number, Tally& tally) {
+  /// none: it is not possible here. next_number: of the next record; moves on.
+  std::vector<int> clear(Edge edge, const Obstacle& obstacle, int& next_number, Tally& tally) {
+    if (obstacle.kind == Obstacle::Kind::Junction) return part(obstacle.vertex, next_number, tally);
     std::vector<int> path{edge.a, edge.b};
-    if (obstacle.kind == Obstacle::Kind::Loop) path.push_back(obstacle.third);
-    const SurfaceCut cut(mesh_, path);
-    if (!cut.is_possible()) return {};
-    const auto vertices = slots_.vertices(cut.new_vertices());
-    const auto faces = slots_.faces(cut.new_faces());
-    if (!vertices || !faces) return {};
-    for (int i = 0; i < cut.new_vertices(); ++i) part_vertex(cut, i, (*vertices)[i], number + i);
-    std::vector<int> touched = path;
-    touched.insert(touched.end(), vertices->begin(), vertices->end());
-    close(cut, *vertices, *faces);
-    renew(touched, path.size());
-    for (int f : *faces)
-      for (CollapseObserver* observer : observers_) observer->added(mesh_, f);
-    ++(cut.fills() ? tally.holes_closed : tally.handles_cut);
-    tally.note_size(longest_edge(path));
-    return touched;
+    if (obstacle.kind == Obstacle::Kind::Loop) path.push_back(obstacle.vertex);
+    return cut(SurfaceCut(mesh_, path), next_number, tally);
   }
 
   void remove(const Part& part, Tally& tally) {
@@ -65,18 +50,79 @@ class TopologyOperator {
   }
 
  private:
-  /// The faces to the right of the path go over to a copy of its i-th vertex.
-  void part_vertex(const SurfaceCut& cut, int i, int copy, int number) {
-    const int v = cut.path()[i];
+  std::vector<int> cut(const SurfaceCut& cut, int& next_number, Tally& tally) {
+    if (!cut.is_possible()) return {};
+    const auto vertices = slots_.vertices(cut.new_vertices());
+    const auto faces = slots_.faces(cut.new_faces());
+    if (!vertices || !faces) return {};
+    for (int i = 0; i < cut.new_vertices(); ++i)
+      hand_over(cut.path()[i], cut.right(i), (*vertices)[i], next_number++);
+    close(cut, *vertices, *faces);
+    renew(cut.path(), *vertices);
+    for (int f : *faces)
+      for (CollapseObserver* observer : observers_) observer->added(mesh_, f);
+    ++(cut.fills() ? tally.holes_closed : tally.handles_cut);
+    tally.note_size(longest_edge(cut.path()));
+    return joined(cut.path(), *vertices);
+  }
+
+  /// The sheets that meet in v go apart: all but one to copies.
+  std::vector<int> part(int v, int& next_number, Tally& tally) {
+    const std::vector<int> sheets = partable_sheets(mesh_, v);
+    if (sheets.empty()) return {};
+    const int count = *std::max_element(sheets.begin(), sheets.end());
+    const auto copies = slots_.vertices(count);
+    if (!copies) return {};
+    const std::vector<int> along = curve_neighbors(v);
+    const std::vector<int> faces(mesh_.connectivity.faces_of(v).begin(),
+                                 mesh_.connectivity.faces_of(v).end());
+    for (int i = 0; i < count; ++i)
+      hand_over(v, of_sheet(faces, sheets, i + 1), (*copies)[i], next_number++);
+    renew(std::vector<int>(count, v), *copies);
+    renew(along, {});
+    ++tally.junctions_parted;
+    for (int u : along) tally.note_size((mesh_.position[u] - mesh_.position[v]).norm());
+    return joined(joined(along, {v}), *copies);
+  }
+
+  static std::vector<int> of_sheet(const std::vector<int>& faces, const std::vector<int>& sheets,
+                                   int sheet) {
+    std::vector<int> found;
+    for (std::size_t i = 0; i < faces.size(); ++i)
+      if (sheets[i] == sheet) found.push_back(faces[i]);
+    return found;
+  }
+
+  static std::vector<int> joined(std::vector<int> a, const std::vector<int>& b) {
+    a.insert(a.end(), b.begin(), b.end());
+    return a;
+  }
+
+  /// The neighbours of v at edges of more than two faces, and others that are not manifold.
+  std::vector<int> curve_neighbors(int v) const {
+    std::vector<int> found;
+    for (int f : mesh_.connectivity.faces_of(v))
+      for (int u : mesh_.connectivity.face(f))
+        if (u != v && mesh_.kind[u] >= VertexKind::Curve) found.push_back(u);
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    return found;
+  }
+
+  /// The faces go over to a copy of v.
+  void hand_over(int v, const std::vector<int>& faces, int copy, int number) {
     mesh_.position[copy] = mesh_.position[v];
     mesh_.locked[copy] = 0;
     if (!mesh_.importance.empty()) mesh_.importance[copy] = mesh_.importance[v];
-    for (int f : cut.right(i)) {
+    for (int f : faces) {
       Face face = mesh_.connectivity.face(f);
       std::replace(face.begin(), face.end(), v, copy);
       assign(f, face);
     }
-    for (CollapseObserver* observer : observers_) observer->copied(mesh_, copy, v, number);
+    for (CollapseObserver* observer : observers_) {
+      observer->make_room(number + 1);
+      observer->copied(mesh_, copy, v, number);
+    }
   }
 
   /// A face on each side of a loop.
@@ -92,12 +138,12 @@ class TopologyOperator {
     mesh_.connectivity.count(mesh_.connectivity.assign(f, face));
   }
 
-  /// touched: the path, then its copies.
-  void renew(const std::vector<int>& touched, std::size_t path) {
-    for (int v : touched) mesh_.kind[v] = classifier_.classify(v);
-    for (std::size_t i = path; i < touched.size(); ++i)
-      metric_.renew(touched[i], touched[i - path]);
-    for (std::size_t i = 0; i < path; ++i) metric_.renew(touched[i], touched[i]);
+  /// copies: of the first vertices.
+  void renew(const std::vector<int>& vertices, const std::vector<int>& copies) {
+    for (int v : vertices) mesh_.kind[v] = classifier_.classify(v);
+    for (int v : copies) mesh_.kind[v] = classifier_.classify(v);
+    for (std::size_t i = 0; i < copies.size(); ++i) metric_.renew(copies[i], vertices[i]);
+    for (int v : vertices) metric_.renew(v, v);
   }
 
   double longest_edge(const std::vector<int>& path) const {

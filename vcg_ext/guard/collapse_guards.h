@@ -4,10 +4,12 @@
 #include <optional>
 #include <vector>
 
+#include "vcg_ext/guard/collapse_rule.h"
 #include "vcg_ext/guard/error_bound.h"
 #include "vcg_ext/guard/face_guard.h"
 #include "vcg_ext/guard/fold.h"
 #include "vcg_ext/guard/obstacle.h"
+#include "vcg_ext/guard/spike.h"
 #include "vcg_ext/mesh/working_mesh.h"
 #include "vcg_ext/report.h"
 
@@ -27,6 +29,7 @@ class CollapseGuards {
  public:
   CollapseGuards(const WorkingMesh& mesh, const CollapseLimits& limits)
       : mesh_(mesh),
+        rule_(mesh, limits),
         link_condition_(limits.keeps_topology || limits.max_error > 0.0),
         keeps_normal_(limits.faces.keeps_normal),
         face_guard_(mesh, limits.faces),
@@ -49,6 +52,7 @@ class CollapseGuards {
       if (!price) return {Rejection::TriangleShape};
       answer.price += *price;
     }
+    answer.price += spike_price(mesh_, around, x, after);
     if (keeps_normal_ && folds(mesh_, around, after)) return {Rejection::NormalFlip};
     if (!bound_.active()) return answer;
     answer.error_bound = bound_.after(mesh_, around, x);
@@ -76,11 +80,13 @@ class CollapseGuards {
 
  private:
   Obstacle obstacle(const EdgeNeighborhood& around) const {
-    if (obstacle_price_) return find_obstacle(mesh_, around);
+    if (obstacle_price_)
+      return find_obstacle(mesh_, around, rule_.of_kinds(around.edge()).has_value());
     return {satisfies_link_condition(mesh_, around) ? Obstacle::Kind::None : Obstacle::Kind::Fixed};
   }
 
   const WorkingMesh& mesh_;
+  const CollapseRule rule_;
   const bool link_condition_;  // also for the bound: without it a part may vanish
   const bool keeps_normal_;
   FaceGuard face_guard_;

@@ -21,12 +21,23 @@ namespace curvdecim::detail {
 class CollapseRule {
  public:
   CollapseRule(const WorkingMesh& mesh, const CollapseLimits& limits)
-      : mesh_(mesh), topology_(limits.keeps_topology), boundary_(limits.keeps_boundary) {}
+      : mesh_(mesh),
+        topology_(limits.keeps_topology),
+        boundary_(limits.keeps_boundary),
+        gives_way_(limits.topology_gives_way) {}
 
   /// An edge between two such vertices may collapse to anywhere.
   bool is_free(int v) const { return mesh_.kind[v] == VertexKind::Interior && !mesh_.locked[v]; }
 
+  /// Where the topology gives way, sheets that meet in an end may come apart first.
   std::optional<Allowed> operator()(Edge edge) const {
+    const std::optional<Allowed> allowed = of_kinds(edge);
+    if (allowed || !gives_way_ || mesh_.locked[edge.a] || mesh_.locked[edge.b]) return allowed;
+    return Allowed::Anywhere;
+  }
+
+  /// As the table says.
+  std::optional<Allowed> of_kinds(Edge edge) const {
     const VertexKind a = mesh_.kind[edge.a], b = mesh_.kind[edge.b];
     if (is_free(edge.a) && is_free(edge.b)) return Allowed::Anywhere;  // nearly all
     const bool a_stays = stays(edge.a), b_stays = stays(edge.b);
@@ -53,7 +64,7 @@ class CollapseRule {
   }
 
   const WorkingMesh& mesh_;
-  const bool topology_, boundary_;
+  const bool topology_, boundary_, gives_way_;
 };
 
 }  // namespace curvdecim::detail

@@ -9,6 +9,7 @@
 
 #include "vcg_ext/geometry/closest_point.h"
 #include "vcg_ext/guard/link_condition.h"
+#include "vcg_ext/mesh/sheets.h"
 
 namespace curvdecim::detail {
 
@@ -16,13 +17,14 @@ namespace curvdecim::detail {
 struct Obstacle {
   enum class Kind : std::uint8_t {
     None,
-    Loop,    ///< a closed path of three edges that is no face: around a handle, a hole, a neck
-    Bridge,  ///< an inner edge with both ends on the boundary
-    Fixed,   ///< it cannot be cleared
+    Loop,      ///< a closed path of three edges that is no face: around a handle, a hole, a neck
+    Bridge,    ///< an inner edge with both ends on the boundary
+    Junction,  ///< sheets that meet in a vertex
+    Fixed,     ///< it cannot be cleared
   };
 
   Kind kind = Kind::None;
-  int third = -1;  ///< Loop: the path's vertex beside the edge's ends
+  int vertex = -1;  ///< Loop: the one beside the edge's ends. Junction: where the sheets meet
 
   bool exists() const { return kind != Kind::None; }
 };
@@ -59,8 +61,23 @@ inline int smallest_loop(const WorkingMesh& mesh, const EdgeNeighborhood& around
   return third;
 }
 
-inline Obstacle find_obstacle(const WorkingMesh& mesh, const EdgeNeighborhood& around) {
-  if (satisfies_link_condition(mesh, around)) return {};
+/// Finds the first vertex of the edge, or of a closed path of three edges through it, where sheets
+/// can be parted. Returns -1 if there is none.
+inline int partable_vertex(const WorkingMesh& mesh, const EdgeNeighborhood& around) {
+  const auto [a, b] = around.edge();
+  for (int v : {a, b})
+    if (!partable_sheets(mesh, v).empty()) return v;
+  for (std::size_t i = around.star_of_a(); i < around.star().size(); ++i)
+    for (int u : mesh.connectivity.face(around.star()[i]))
+      if (u != b && mesh.connectivity.has_edge(a, u) && !partable_sheets(mesh, u).empty()) return u;
+  return -1;
+}
+
+/// may_merge: the kinds of the ends allow it (collapse_rule.h).
+inline Obstacle find_obstacle(const WorkingMesh& mesh, const EdgeNeighborhood& around,
+                              bool may_merge) {
+  if (may_merge && satisfies_link_condition(mesh, around)) return {};
+  if (const int v = partable_vertex(mesh, around); v >= 0) return {Obstacle::Kind::Junction, v};
   const auto [a, b] = around.edge();
   if (!may_be_cut(mesh, a) || !may_be_cut(mesh, b)) return {Obstacle::Kind::Fixed};
   if (has_other_common_neighbor(mesh.connectivity, around)) {
@@ -140,15 +157,31 @@ class ObstaclePrice {
   /// obstacle: one that can be cleared.
   double of(const EdgeNeighborhood& around, const Obstacle& obstacle) const {
     const auto [a, b] = around.edge();
-    const double length2 = (mesh_.position[a] - mesh_.position[b]).squaredNorm();
-    if (obstacle.kind == Obstacle::Kind::Bridge) return share * 0.5 * length2 * length2;
-    return share * loop_size(mesh_, a, b, obstacle.third) +
-           sealed_share * sealed(around, {a, b, obstacle.third});
+    if (obstacle.kind == Obstacle::Kind::Bridge) return share * edge_size(a, b);
+    if (obstacle.kind == Obstacle::Kind::Junction) return share * junction_size(obstacle.vertex);
+    return share * loop_size(mesh_, a, b, obstacle.vertex) +
+           sealed_share * sealed(around, {a, b, obstacle.vertex});
   }
 
  private:
   static constexpr double share = 0.03;  // .01 to .1 measure alike
   static constexpr double sealed_share = 0.1;
+
+  /// As of a path there and back.
+  double edge_size(int a, int b) const {
+    const double length2 = (mesh_.position[a] - mesh_.position[b]).squaredNorm();
+    return 0.5 * length2 * length2;
+  }
+
+  /// The edges of more than two faces that are parted at v; each face there counts its part.
+  double junction_size(int v) const {
+    double sum = 0.0;
+    for (int f : mesh_.connectivity.faces_of(v))
+      for (int u : mesh_.connectivity.face(f))
+        if (const int valence = u == v ? 0 : mesh_.connectivity.edge_valence(u, v); valence > 2)
+          sum += edge_size(u, v) / valence;
+    return sum;
+  }
 
   /// The walls of a small void that the cut would seal, as at the last open end of a tunnel.
   double sealed(const EdgeNeighborhood& around, const Face& loop) const {

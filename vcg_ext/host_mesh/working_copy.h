@@ -61,9 +61,9 @@ inline void reconnect(WorkingCopy& copy, Revertexed now, const Parallel& paralle
 /// the air is not.
 inline void separate_sheets(WorkingCopy& copy, const Parallel& parallel) {
   const auto is_singular = [](VertexKind kind) { return kind >= VertexKind::Curve; };
-  for (Between between : {Between::Material, Between::Air}) {
+  for (Pairing pairing : {Pairing::Material, Pairing::Air}) {
     if (std::none_of(copy.mesh.kind.begin(), copy.mesh.kind.end(), is_singular)) return;
-    Revertexed apart = separated_sheets(copy.mesh, between);
+    Revertexed apart = separated_sheets(copy.mesh, pairing);
     if (!apart.faces.empty()) reconnect(copy, std::move(apart), parallel);
   }
 }

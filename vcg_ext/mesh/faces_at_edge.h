@@ -21,13 +21,13 @@ struct FaceAtEdge {
   double turn = 0;  // around the edge, from the first face
 };
 
-/// What two faces at an edge have between them that belong together. Material lies behind a face.
-enum class Between { Material, Air };
+/// Which of the faces at an edge belong together: two with a piece of material between them, which
+/// lies behind a face, two with air between them, the two that are flattest, or none.
+enum class Pairing { Material, Air, Flattest, Alone };
 
-/// Tells which of the faces at an edge belong together: those that bound one piece of material.
-/// Closed parts that touch along an edge have four faces there or more, and as one goes around it,
-/// material and air take turns: a face that runs backward has material behind it, and the next one
-/// forward ends it. Or those that bound one piece of air. Reused from edge to edge.
+/// Pairs the faces at an edge. Closed parts that touch along it have four faces there or more, and
+/// as one goes around it, material and air take turns: a face that runs backward has material
+/// behind it, and the next one forward ends it. Reused from edge to edge.
 class FacesAtEdge {
  public:
   using Pair = std::array<int, 2>;  // ids
@@ -35,21 +35,15 @@ class FacesAtEdge {
   void clear() { faces_.clear(), pairs_.clear(); }
   void add(const FaceAtEdge& face) { faces_.push_back(face); }
 
-  /// False where the faces do not come in such pairs: their number is odd, one is degenerate, or
-  /// they do not take turns. Two need no angle.
-  bool pair(const Vector3& a, const Vector3& b, Between between = Between::Material) {
+  /// False where material and air are asked for and the faces do not come in such pairs: their
+  /// number is odd, one is degenerate, or they do not take turns. Two need no angle.
+  bool pair(const Vector3& a, const Vector3& b, Pairing pairing = Pairing::Material) {
     pairs_.clear();
-    const std::size_t count = faces_.size();
-    const auto forward = std::count_if(faces_.begin(), faces_.end(),
-                                       [](const FaceAtEdge& face) { return face.forward; });
-    if (2 * static_cast<std::size_t>(forward) != count) return false;
-    if (count > 2 && !(measure(a, b) && sort())) return false;
-    for (std::size_t i = 0; i < count; ++i)
-      if (faces_[i].forward == (between == Between::Air))
-        pairs_.push_back({faces_[i].id, faces_[(i + 1) % count].id});
-    return true;
+    if (pairing == Pairing::Flattest) pair_flattest(a, b);
+    return pairing >= Pairing::Flattest || pair_turns(a, b, pairing);
   }
 
+  /// Flattest ones that are left over are in none.
   const std::vector<Pair>& pairs() const { return pairs_; }
 
  private:
@@ -58,6 +52,38 @@ class FacesAtEdge {
   static constexpr double same_turn = 1e-4;
   /// The sine of an angle below which a face has no side to lie on.
   static constexpr double least_sine = 1e-6;
+
+  bool pair_turns(const Vector3& a, const Vector3& b, Pairing pairing) {
+    const std::size_t count = faces_.size();
+    const auto forward = std::count_if(faces_.begin(), faces_.end(),
+                                       [](const FaceAtEdge& face) { return face.forward; });
+    if (2 * static_cast<std::size_t>(forward) != count) return false;
+    if (count > 2 && !(measure(a, b) && sort())) return false;
+    for (std::size_t i = 0; i < count; ++i)
+      if (faces_[i].forward == (pairing == Pairing::Air))
+        pairs_.push_back({faces_[i].id, faces_[(i + 1) % count].id});
+    return true;
+  }
+
+  /// Two that run alike are no pair: the surface would be turned over there.
+  void pair_flattest(const Vector3& a, const Vector3& b) {
+    const auto direction = [&](const FaceAtEdge& face) {
+      const auto radius = away(b - a, face.third - a);
+      return radius ? radius->normalized() : Vector3(Vector3::Zero());
+    };
+    std::vector<std::tuple<double, std::size_t, std::size_t>> options;
+    for (std::size_t i = 0; i < faces_.size(); ++i)
+      for (std::size_t j = i + 1; j < faces_.size(); ++j)
+        if (faces_[i].forward != faces_[j].forward)
+          options.push_back({direction(faces_[i]).dot(direction(faces_[j])), i, j});
+    std::sort(options.begin(), options.end());
+    std::vector<bool> is_paired(faces_.size(), false);
+    for (const auto& [cosine, i, j] : options) {
+      if (is_paired[i] || is_paired[j]) continue;
+      is_paired[i] = is_paired[j] = true;
+      pairs_.push_back({faces_[i].id, faces_[j].id});
+    }
+  }
 
   /// Grows with the angle of (x, y) from 0 to 4; without a function whose last bit differs by
   /// machine.

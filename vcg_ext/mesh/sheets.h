@@ -19,11 +19,11 @@ struct Revertexed {
 };
 
 /// Tells the sheets that touch in a vertex apart: faces around it that are connected by edges. At
-/// an edge of more than two faces those are connected that bound one piece of material, or of air,
-/// or all, where there are no such pairs. Reused from vertex to vertex.
+/// an edge of more than two faces pairs are connected, or all, where they cannot be paired. Reused
+/// from vertex to vertex.
 class SheetsAtVertex {
  public:
-  SheetsAtVertex(const WorkingMesh& mesh, Between between) : mesh_(mesh), between_(between) {}
+  SheetsAtVertex(const WorkingMesh& mesh, Pairing pairing) : mesh_(mesh), pairing_(pairing) {}
 
   /// By face of the vertex's list: the number of its sheet, from 0 on as they come.
   const std::vector<int>& sheets(int v) {
@@ -35,6 +35,17 @@ class SheetsAtVertex {
 
   /// How many there were last.
   int count() const { return count_; }
+
+  /// True if an edge of more than two faces has two in one sheet, and they run alike: there the
+  /// surface would be turned over.
+  bool turn_over() const {
+    for (std::size_t first = 0, last; first < spokes_.size(); first = last) {
+      last = end_of_edge(first);
+      for (std::size_t i = first; i < last && last - first > 2; ++i)
+        if (is_turned_over(first, last, sheets_[spokes_[i].place])) return true;
+    }
+    return false;
+  }
 
  private:
   /// An edge at the vertex, as a face has it.
@@ -59,10 +70,23 @@ class SheetsAtVertex {
     connected_.reset(place);
   }
 
+  /// The spokes of one edge follow each other.
+  std::size_t end_of_edge(std::size_t first) const {
+    std::size_t last = first + 1;
+    while (last < spokes_.size() && spokes_[last].to == spokes_[first].to) ++last;
+    return last;
+  }
+
+  bool is_turned_over(std::size_t first, std::size_t last, int sheet) const {
+    int forward = 0, backward = 0;
+    for (std::size_t i = first; i < last; ++i)
+      if (sheets_[spokes_[i].place] == sheet) ++(spokes_[i].forward ? forward : backward);
+    return forward + backward == 2 && forward != 1;
+  }
+
   void connect() {
     for (std::size_t first = 0, last; first < spokes_.size(); first = last) {
-      last = first + 1;
-      while (last < spokes_.size() && spokes_[last].to == spokes_[first].to) ++last;
+      last = end_of_edge(first);
       if (last - first > 2 && connect_pairs(first, last)) continue;
       for (std::size_t i = first + 1; i < last; ++i)
         connected_.unite(spokes_[first].place, spokes_[i].place);
@@ -78,7 +102,7 @@ class SheetsAtVertex {
       edge_.add({spokes_[i].place, spokes_[i].forward,
                  mesh_.position[connectivity.third_vertex(f, vertex_, to)]});
     }
-    if (!edge_.pair(mesh_.position[vertex_], mesh_.position[to], between_)) return false;
+    if (!edge_.pair(mesh_.position[vertex_], mesh_.position[to], pairing_)) return false;
     for (const auto& [f, g] : edge_.pairs()) connected_.unite(f, g);
     return true;
   }
@@ -94,7 +118,7 @@ class SheetsAtVertex {
   }
 
   const WorkingMesh& mesh_;
-  const Between between_;
+  const Pairing pairing_;
   int vertex_ = -1, count_ = 0;
   std::vector<Spoke> spokes_;
   DisjointSets connected_;  // by place of the face
@@ -102,14 +126,26 @@ class SheetsAtVertex {
   std::vector<int> sheets_;
 };
 
+/// The sheets that can be parted at v: their numbers, by face of the vertex's list. Empty where
+/// the surface is a manifold, v is locked, or the faces hang together in other ways.
+inline std::vector<int> partable_sheets(const WorkingMesh& mesh, int v) {
+  if (mesh.kind[v] < VertexKind::Curve || mesh.locked[v]) return {};
+  for (Pairing pairing : {Pairing::Flattest, Pairing::Alone}) {
+    SheetsAtVertex around(mesh, pairing);
+    const std::vector<int>& sheets = around.sheets(v);
+    if (around.count() > 1 && !around.turn_over()) return sheets;
+  }
+  return {};
+}
+
 /// The mesh with a vertex for every sheet, where several touch in one that is not locked. The
 /// copies follow their original. No faces: there is nothing to separate.
-inline Revertexed separated_sheets(const WorkingMesh& mesh, Between between) {
+inline Revertexed separated_sheets(const WorkingMesh& mesh, Pairing pairing) {
   struct Corner {
     int face, vertex, sheet;
   };
   std::vector<Corner> moved;
-  SheetsAtVertex around(mesh, between);
+  SheetsAtVertex around(mesh, pairing);
   Revertexed result;
   std::vector<int> first_of(mesh.kind.size());
   for (int v = 0; v < static_cast<int>(mesh.kind.size()); ++v) {

@@ -41,7 +41,7 @@ struct Tally {
   double cost_last = 0.0;
   Rejections rejected;
   std::int64_t pairs_contracted = 0;
-  std::int64_t parts_removed = 0, holes_closed = 0, handles_cut = 0;
+  std::int64_t parts_removed = 0, holes_closed = 0, handles_cut = 0, junctions_parted = 0;
   double largest_removed = 0.0;  // of these: diameter of the box, or longest edge of the cut
 
   void note_size(double size) { largest_removed = std::max(largest_removed, size); }

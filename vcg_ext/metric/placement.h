@@ -23,9 +23,9 @@ inline double parameter_along(const Vector3& half, const Vector3& offset) {
   return length2 > 0.0 ? std::clamp(0.5 + 0.5 * half.dot(offset) / length2, 0.0, 1.0) : 0.5;
 }
 
-/// The plane gradient.d = offset on which the collapse leaves the enclosed volume as it is
-/// @cite lindstrom1998.
-struct VolumePlane {
+/// The plane gradient.d = offset on which the collapse leaves the enclosed volume, or the area
+/// inside the border, as it is @cite lindstrom1998.
+struct KeepingPlane {
   Vector3 gradient;
   double offset;
 };
@@ -40,13 +40,16 @@ struct Minimum {
 /// direction.
 inline constexpr double relative_pull = 1e-4;
 
+/// Of the edge: what keeps the volume to such a step keeps it to rounding.
+inline constexpr double least_step = 1e-7;
+
 /// Minimum of the quadric, drawn towards the origin (the edge's midpoint) just strongly enough that
 /// directions in which it is flat do not throw the vertex far away; then moved, where that takes no
-/// more than the edge's length, to the minimum among the points that keep the volume. The edge goes
-/// from -half to +half. With p the pull, (A + p) x = -b gives the value without another product:
-/// c + b.x - p x.x, and so do the steps from there.
+/// more than the edge's length, to the minimum among the points that keep the volume or area. The
+/// edge goes from -half to +half. With p the pull, (A + p) x = -b gives the value without another
+/// product: c + b.x - p x.x, and so do the steps from there.
 inline Minimum optimal_minimum(const QuadricOfEdge& quadric,
-                               const std::optional<VolumePlane>& volume, const Vector3& half) {
+                               const std::optional<KeepingPlane>& kept, const Vector3& half) {
   const Quadric& q = quadric.sum;
   const double trace = q.a.trace(), pull = relative_pull * trace;
   if (!(trace > 0.0)) return {Vector3::Zero(), q.c};
@@ -56,11 +59,12 @@ inline Minimum optimal_minimum(const QuadricOfEdge& quadric,
   const double even = quadric.along + q.c, odd = 2.0 * q.b.dot(half);
   if (even - odd < least) return {-half, even - odd};  // a corner: only the pull moved it off
   if (even + odd < least) return {half, even + odd};
-  if (!volume) return {offset, least};
-  const Vector3 direction = a.solve(volume->gradient);
-  const double slope = volume->gradient.dot(direction), length2 = direction.squaredNorm();
-  const double gap = volume->offset - volume->gradient.dot(offset);
-  if (!(gap * gap * length2 <= 4.0 * half.squaredNorm() * (slope * slope)) || !(slope > 0.0))
+  if (!kept) return {offset, least};
+  const Vector3 direction = a.solve(kept->gradient);
+  const double slope = kept->gradient.dot(direction), length2 = direction.squaredNorm();
+  const double gap = kept->offset - kept->gradient.dot(offset);
+  const double step2 = gap * gap * length2, edge2 = 4.0 * half.squaredNorm() * (slope * slope);
+  if (!(step2 <= edge2) || step2 <= least_step * least_step * edge2 || !(slope > 0.0))
     return {offset, least};
   const double step = gap / slope;
   const double rise = step * (slope - pull * length2) - 2.0 * pull * offset.dot(direction);
@@ -91,19 +95,19 @@ inline Placed place_endpoint_or_midpoint(const Quadric& q, const Vector3& half) 
 }
 
 inline Placed place_optimal(const QuadricOfEdge& q, const Vector3& half,
-                            const std::optional<VolumePlane>& volume) {
-  const Minimum minimum = optimal_minimum(q, volume, half);
+                            const std::optional<KeepingPlane>& kept) {
+  const Minimum minimum = optimal_minimum(q, kept, half);
   return {minimum.offset, parameter_along(half, minimum.offset), minimum.value};
 }
 
-/// volume: for Optimal only.
+/// kept: for Optimal only.
 inline Placed place(const QuadricOfEdge& quadric, const Vector3& half, Allowed allowed,
-                    Placement placement, const std::optional<VolumePlane>& volume = std::nullopt) {
+                    Placement placement, const std::optional<KeepingPlane>& kept = std::nullopt) {
   const Quadric& q = quadric.sum;
   if (allowed == Allowed::OntoA) return place_at(q, half, 0.0);
   if (allowed == Allowed::OntoB) return place_at(q, half, 1.0);
   switch (placement) {
-    case Placement::Optimal: return place_optimal(quadric, half, volume);
+    case Placement::Optimal: return place_optimal(quadric, half, kept);
     case Placement::Line: return place_at(q, half, parameter_of_minimum(q, half));
     case Placement::EndpointOrMidpoint: return place_endpoint_or_midpoint(q, half);
     case Placement::HalfEdge: break;

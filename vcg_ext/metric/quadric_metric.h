@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "vcg_ext/mesh/edge_neighborhood.h"
+#include "vcg_ext/metric/border_area.h"
 #include "vcg_ext/metric/constraint_quadrics.h"
 #include "vcg_ext/metric/least_cost.h"
 #include "vcg_ext/metric/metric.h"
@@ -45,7 +46,7 @@ class QuadricMetric {
     const QuadricOfEdge q =
         sum_about_midpoint(sum_[edge.a].quadric(), sum_[edge.b].quadric(), half);
     const Placed placed =
-        place(q, half, allowed, plan_.placement, volume_plane(edge, half, allowed, wings));
+        place(q, half, allowed, plan_.placement, keeping_plane(edge, half, allowed, wings));
     double cost = placed.value;
     if (cost <= rounding * rounding * half.squaredNorm() * q.sum.a.trace()) cost = 0.0;
     if (placed.offset == -half) return Candidate{cost, a, 0.0};  // not rounded: the vertex itself
@@ -216,15 +217,21 @@ class QuadricMetric {
     return ring;
   }
 
-  /// The two faces at the edge lie around both ends and count once. None where the volume is not
-  /// defined: on boundaries and curves.
-  std::optional<VolumePlane> volume_plane(Edge edge, const Vector3& half, Allowed allowed,
-                                          const Vector3& wings) const {
-    if (!memoryless_ || allowed != Allowed::Anywhere || plan_.placement != Placement::Optimal ||
-        mesh_.kind[edge.a] != VertexKind::Interior)
+  /// None where neither volume nor area is defined: on curves, and between two borders.
+  std::optional<KeepingPlane> keeping_plane(Edge edge, const Vector3& half, Allowed allowed,
+                                            const Vector3& wings) const {
+    if (!memoryless_ || allowed != Allowed::Anywhere || plan_.placement != Placement::Optimal)
       return std::nullopt;
+    const VertexKind a = mesh_.kind[edge.a], b = mesh_.kind[edge.b];
+    if (a == VertexKind::Interior && b == a) return volume_plane(edge, half, wings);
+    if (a == VertexKind::Boundary && b == a) return border_area_plane(mesh_, edge, half, wings);
+    return std::nullopt;
+  }
+
+  /// The two faces at the edge lie around both ends and count once.
+  KeepingPlane volume_plane(Edge edge, const Vector3& half, const Vector3& wings) const {
     const Vector3 a = area_vector_around(mesh_, edge.a), b = area_vector_around(mesh_, edge.b);
-    return VolumePlane{a + b - wings, half.dot(b - a)};
+    return {a + b - wings, half.dot(b - a)};
   }
 
   const WorkingMesh& mesh_;

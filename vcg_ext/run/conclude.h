@@ -31,6 +31,7 @@ inline void conclude(const Tally& tally, const CollapsePlan& plan, const Working
   report.parts_removed = tally.parts_removed;
   report.holes_closed = tally.holes_closed;
   report.handles_cut = tally.handles_cut;
+  report.junctions_parted = tally.junctions_parted;
   report.largest_removed = diagonal * tally.largest_removed;
   if (plan.pair_distance > 0.0) note_pairs(mesh, report);
   note_what_gave_way(report);

@@ -94,12 +94,13 @@ inline void note_pairs(const WorkingMesh& mesh, DecimationReport& report) {
                          " vertices are non-manifold now.");
 }
 
-/// "1 part, 2 holes and 3 handles gave way, the largest 0.5 across."
+/// "Gave way, being smaller than the error: 1 part, 2 holes; the largest was 0.5 across."
 inline void note_what_gave_way(DecimationReport& report) {
-  const std::array<std::pair<std::int64_t, const char*>, 3> kinds = {
+  const std::array<std::pair<std::int64_t, const char*>, 4> kinds = {
       {{report.parts_removed, "part"},
        {report.holes_closed, "hole"},
-       {report.handles_cut, "handle"}}};
+       {report.handles_cut, "handle"},
+       {report.junctions_parted, "junction"}}};
   std::string what;
   for (const auto& [count, name] : kinds) {
     if (count == 0) continue;
