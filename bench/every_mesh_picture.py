@@ -33,7 +33,7 @@ from surface import Surface
 from workers import FilterError
 
 LEVELS = (0.20, 0.05, 0.01)  # of the faces
-GONE = ("parts_removed", "holes_closed", "handles_cut", "junctions_parted")
+GONE = ("parts_removed", "holes_closed", "handles_cut")
 HEADINGS = (
     *("mesh", "faces", "RMS %", "maximum %", "non-manifold edges", "pieces"),
     *("gone from ours: parts, holes, handles", "`PreserveTopology`: faces, RMS %"),
