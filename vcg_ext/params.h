@@ -112,7 +112,7 @@ struct DecimationParams : CommonParams {
   bool preserve_normal = true;     ///< refuse a face whose normal turns more than normal_angle
   double normal_angle = 90.0;      ///< largest turn of a face
   bool preserve_topology = false;  ///< link condition @cite dey1999; off: gives way by size
-  bool join_borders = true;        ///< those that lie on each other, where vertices carry the same
+  bool join_borders = true;        ///< those that lie on each other, for the run
   double feature_angle = 60.0;     ///< dihedral angle from which an edge is sharp; 180: none is
 
   static constexpr auto fields() {

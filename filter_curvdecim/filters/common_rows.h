@@ -118,8 +118,8 @@ ParameterRow<P> join_borders_row() {
   return row<P>(
       &P::join_borders, "JoinBorders", "Join borders that lie on each other",
       {"Neighbours that share no vertex, as in files that list every face by itself, become one "
-       "surface where border edges lie on each other exactly and their vertices carry the same "
-       "colour, quality and texture coordinates. Off: such seams count as borders.",
+       "surface where border edges lie on each other exactly. Vertices that differ in colour or "
+       "texture come out as copies in one place. Off: such seams count as borders.",
        "Close what shares no vertex."});
 }
 

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
+#include <vector>
 
 #include "support/decimation.h"
 #include "support/drawn_meshes.h"
@@ -30,11 +32,6 @@ Params apart(Params params) {
 /// A dense box in the unit cube, every face by itself, with its attributes.
 void fill_with_soup(RichMesh& mesh) {
   fill_with_attributes(mesh, soup_of(dense_box(8, {1, 1, 1})));
-}
-
-RichVertex& vertex_at(RichMesh& mesh, const vcg::Point3d& p) {
-  return *std::find_if(mesh.vert.begin(), mesh.vert.end(),
-                       [&](const RichVertex& v) { return v.cP() == p; });
 }
 
 TEST(JoinBorders, OfASoupAndOfQuadsLeavesNoSeam) {
@@ -87,26 +84,98 @@ TEST(JoinBorders, CountsTheVerticesThatAreLeft) {
   EXPECT_GE(after.vertex_count(), 39);
 }
 
-TEST(JoinBorders, WhereNormalsDifferButNotWhereColoursDo) {
+TEST(JoinBorders, WhereNormalsDifferToo) {
   RichMesh mesh;
   fill_with_soup(mesh);  // with the normal of its face at every corner
   EXPECT_TRUE(says(decimate(mesh, to_faces(100)), "Joined 1152 pairs"));
   EXPECT_EQ(topology(shape_of(mesh)).boundary_loops, 0);
-
-  RichMesh painted;
-  fill_with_soup(painted);
-  vertex_at(painted, {0.5, 0.5, 1.0}).C() = {1, 2, 3, 255};
-  const DecimationReport report = decimate(painted, to_faces(100));
-  EXPECT_TRUE(says(report, "2 pairs of border edges that lie on each other were not joined"));
-  EXPECT_EQ(topology(shape_of(painted)).boundary_loops, 1);
 }
 
-TEST(JoinBorders, NotWhereCustomValuesDiffer) {
+TEST(JoinBorders, WhereCustomValuesDifferWithACopyForEach) {
   RichMesh mesh;
   fill_with_soup(mesh);
   auto custom = vcg::tri::Allocator<RichMesh>::AddPerVertexAttribute<int>(mesh, "custom");
   for (std::size_t v = 0; v < mesh.vert.size(); ++v) custom[v] = static_cast<int>(v);
-  EXPECT_FALSE(says(decimate(mesh, to_faces(100)), "Joined"));
+  EXPECT_TRUE(says(decimate(mesh, to_faces(100)), "come out as copies in one place"));
+  const Shape after = shape_of(mesh);
+  EXPECT_GT(topology(after).boundary_loops, 0);
+  EXPECT_EQ(topology(welded(after)).boundary_loops, 0);
+  EXPECT_EQ(topology(after).unreferenced_vertices, 0);
+  EXPECT_NEAR(volume(welded(after)), 1.0, 1e-6);
+}
+
+constexpr double other_chart = 10.0;  // added to u there
+
+/// Which chart the texture coordinate is of.
+int chart_of(const RichVertex& v) { return v.cT().u() > other_chart / 2.0; }
+
+/// A flat square, every face by itself; texture coordinates are the position, on two charts that
+/// meet in the middle.
+void fill_with_charts(RichMesh& mesh) {
+  fill_with_attributes(mesh, soup_of(plane_grid(24)));
+  for (RichFace& f : mesh.face) {
+    const bool other = f.cP(0)[0] + f.cP(1)[0] + f.cP(2)[0] > 1.5;
+    for (int i = 0; i < 3; ++i)
+      f.V(i)->T() = vcg::TexCoord2d(f.cP(i)[0] + (other ? other_chart : 0.0), f.cP(i)[1]);
+  }
+}
+
+TEST(JoinBorders, OfTwoChartsLeavesNoCrackAndMixesNoValues) {
+  for (Preset preset : {Preset::Fast, Preset::Balanced, Preset::Best})
+    for (int target : {300, 60, 12}) {
+      SCOPED_TRACE(target);
+      RichMesh mesh;
+      fill_with_charts(mesh);
+      EdgeCollapseParams params = to_faces(target);
+      params.preset = preset;
+      EXPECT_TRUE(says(decimate(mesh, params), "come out as copies in one place"));
+      const Shape closed = welded(shape_of(mesh));
+      EXPECT_EQ(topology(closed).boundary_loops, 1);
+      EXPECT_EQ(topology(closed).components, 1);
+      EXPECT_NEAR(area(closed), 1.0, 1e-6);
+      for (const RichFace& f : mesh.face)
+        for (int i = 0; i < 3; ++i) {
+          EXPECT_EQ(chart_of(*f.cV(i)), chart_of(*f.cV(0)));
+          EXPECT_NEAR(f.cV(i)->cT().v(), f.cP(i)[1], 0.1);  // may shift at the seam
+        }
+    }
+}
+
+TEST(JoinBorders, KeepsValuesThatNoSeamIsNear) {
+  RichMesh mesh;
+  fill_with_charts(mesh);
+  decimate(mesh, to_faces(60));
+  for (const RichVertex& v : mesh.vert)
+    if (std::abs(v.cP()[0] - 0.5) > 0.3) {
+      EXPECT_NEAR(v.cT().u() - other_chart * chart_of(v), v.cP()[0], 1e-5);
+    }
+}
+
+TEST(JoinBorders, OfChartsThatAreCutLeavesThemClosed) {
+  const Shape ring = torus(48, 24);
+  RichMesh mesh;
+  fill(mesh, soup_of(ring));
+  for (RichFace& f : mesh.face)
+    for (int i = 0; i < 3; ++i) f.V(i)->T() = vcg::TexCoord2d(f.cP(0)[0] > 0.0, f.cP(i)[1]);
+  const DecimationReport report = decimate(mesh, to_faces(4));
+  EXPECT_EQ(report.handles_cut, 1);
+  EXPECT_EQ(mesh.fn, 4);
+  EXPECT_EQ(topology(welded(shape_of(mesh))).boundary_loops, 0);
+}
+
+TEST(JoinBorders, OfCopiesIsTheSameOnAnyNumberOfThreads) {
+  const auto texture = [](int threads) {
+    RichMesh mesh;
+    fill_with_charts(mesh);
+    EdgeCollapseParams params = to_faces(100);
+    params.threads = threads;
+    decimate(mesh, params);
+    std::vector<double> values;
+    for (const RichVertex& v : mesh.vert)
+      values.insert(values.end(), {v.cP()[0], v.cP()[1], v.cT().u(), v.cT().v()});
+    return values;
+  };
+  EXPECT_EQ(texture(1), texture(3));
 }
 
 TEST(JoinBorders, NotAtFacesThatMayNotChange) {

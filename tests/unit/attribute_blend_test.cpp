@@ -22,6 +22,10 @@ BlendRecord record(const WorkingMesh& mesh, const Vector3& now, bool over_surfac
   return blend;
 }
 
+void replay(const BlendRecord& record, std::vector<double>& values) {
+  record.for_each([&](const BlendStep& step) { take(step, values, values); });
+}
+
 TEST(AttributeBlend, TakesTheValueOfThePlaceOnTheSurface) {
   const WorkingMesh mesh = working_mesh(plane_grid(4));
   std::vector<double> values;

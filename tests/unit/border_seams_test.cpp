@@ -16,22 +16,20 @@ namespace {
 
 struct Joined {
   Shape shape;  // with joined borders
-  int joined, different;
+  int joined;
 };
 
-Joined joined(const WorkingMesh& mesh, const BorderSeams::Same& same) {
+Joined joined(const WorkingMesh& mesh) {
   const Parallel parallel(1);
-  BorderSeams seams(mesh, same, parallel);
+  BorderSeams seams(mesh, parallel);
   const Revertexed now = seams.join();
-  Joined result{{{}, now.faces}, seams.joined(), seams.different()};
+  Joined result{{{}, now.faces}, seams.joined()};
   for (int v : now.old_of) result.shape.vertices.push_back(mesh.position[v]);
   if (now.faces.empty()) result.shape = shape_of(mesh);
   return result;
 }
 
-Joined joined(const Shape& shape) {
-  return joined(working_mesh(shape), [](int, int) { return true; });
-}
+Joined joined(const Shape& shape) { return joined(working_mesh(shape)); }
 
 void expect_untouched(const Shape& shape) {
   EXPECT_EQ(joined(shape).joined, 0);
@@ -48,11 +46,10 @@ void expect_closed(const Shape& shape, int parts) {
 }
 
 TEST(BorderSeams, OfASoupCloseIt) {
-  const auto [shape, count, different] = joined(soup_of(cube()));
+  const auto [shape, count] = joined(soup_of(cube()));
   expect_closed(shape, 1);
   EXPECT_EQ(shape.vertex_count(), 8);
   EXPECT_EQ(count, 18);
-  EXPECT_EQ(different, 0);
 }
 
 TEST(BorderSeams, OfQuadsCloseThem) {
@@ -63,7 +60,7 @@ TEST(BorderSeams, OfChunksJoinThemAndLeaveTheOuterBorder) {
   const Shape chunk = scaled(plane_grid(4), 4.0);
   const Shape chunks = side_by_side({chunk, translated(chunk, {4, 0, 0}),
                                      translated(chunk, {0, 4, 0}), translated(chunk, {4, 4, 0})});
-  const auto [shape, count, different] = joined(chunks);
+  const auto [shape, count] = joined(chunks);
   EXPECT_EQ(shape.vertex_count(), 81);
   EXPECT_EQ(count, 16);
   EXPECT_EQ(topology(shape).boundary_loops, 1);
@@ -81,8 +78,7 @@ TEST(BorderSeams, OfTouchingPartsCloseEach) {
 TEST(BorderSeams, TheFirstVertexStaysForTheOthers) {
   const WorkingMesh mesh = working_mesh(soup_of(two_triangles()));
   const Parallel parallel(1);
-  const auto all_alike = [](int, int) { return true; };
-  EXPECT_EQ(BorderSeams(mesh, all_alike, parallel).join().old_of, (std::vector<int>{0, 1, 2, 5}));
+  EXPECT_EQ(BorderSeams(mesh, parallel).join().old_of, (std::vector<int>{0, 1, 2, 5}));
 }
 
 TEST(BorderSeams, AreNoneWithoutBordersInOnePlace) {
@@ -115,19 +111,10 @@ TEST(BorderSeams, AreNoneOfFacesGivenTwice) {
   expect_untouched(side_by_side({soup_of(sides), soup_of(sides)}));
 }
 
-TEST(BorderSeams, StayApartWhereVerticesCarryDifferentValues) {
-  const WorkingMesh mesh = working_mesh(soup_of(cube()));
-  const auto [shape, count, different] =
-      joined(mesh, [&](int v, int) { return mesh.position[v] != Point(0, 0, 0); });
-  EXPECT_GT(different, 2);
-  EXPECT_EQ(count + different, 18);
-  EXPECT_EQ(topology(shape).boundary_loops, 1);
-}
-
 TEST(BorderSeams, StayApartAtLockedVertices) {
   WorkingMesh mesh = working_mesh(soup_of(two_triangles()));
   mesh.locked[0] = 1;
-  EXPECT_EQ(joined(mesh, [](int, int) { return true; }).joined, 0);
+  EXPECT_EQ(joined(mesh).joined, 0);
 }
 
 TEST(BorderSeams, DoNotGiveAFaceAVertexTwice) {

@@ -25,7 +25,8 @@ WorkingMesh refined(const Shape& input, const Shape& mesh, int sweeps) {
   WorkingMesh result = working_mesh(mesh);
   const InputSurface surface = surface_of(input);
   ProgressMeter progress({});
-  Refinement(result, surface, CollapsePlan(), nullptr, one_thread).run(sweeps, progress);
+  Carried nothing;
+  Refinement(result, surface, CollapsePlan(), nothing, one_thread).run(sweeps, progress);
   return result;
 }
 
@@ -98,7 +99,8 @@ TEST(VertexFit, MovesNoLockedVertex) {
   result.locked[3] = 1;
   const InputSurface surface = surface_of(input);
   ProgressMeter progress({});
-  Refinement(result, surface, CollapsePlan(), nullptr, one_thread).run(2, progress);
+  Carried nothing;
+  Refinement(result, surface, CollapsePlan(), nothing, one_thread).run(2, progress);
   EXPECT_EQ(result.position[3], mesh.vertices[3]);
   EXPECT_NE(result.position[4], mesh.vertices[4]);
 }
@@ -140,7 +142,8 @@ TEST(EdgeFlips, LowerTheErrorOfAMeshWithWrongDiagonals) {
   of_mesh.match(mesh, near, one_thread);
   const MoveGuard guard(mesh, surface, input_tree, FaceLimits());
   const double before = error(mesh, surface);
-  EXPECT_GT(EdgeFlips(mesh, of_input, of_mesh, guard, nullptr).run(near, one_thread), 0);
+  Carried nothing;
+  EXPECT_GT(EdgeFlips(mesh, of_input, of_mesh, guard, nothing).run(near, one_thread), 0);
   EXPECT_NO_THROW(mesh.connectivity.validate());
   EXPECT_LT(error(mesh, surface), before);
 }

@@ -111,26 +111,12 @@ class BlendRecord : public CollapseObserver {
   std::vector<EdgeStep> on_edge_;
 };
 
-/// The step's blend of `from`.
+/// A step's `keep` takes the blend of `from`, which may be the same values.
 template <class Value>
-Value blended(const BlendStep& step, const std::vector<Value>& from, const Value& otherwise) {
-  Blend<Value> blend(otherwise);
+void take(const BlendStep& step, const std::vector<Value>& from, std::vector<Value>& values) {
+  Blend<Value> blend(values[step.keep]);
   for (int i = 0; i < 3; ++i) blend.add(step.weight[i], from[step.from[i]]);
-  return blend.mean();
-}
-
-/// Replays the record on one attribute. Value: a vector space over double.
-template <class Value>
-void replay(const BlendRecord& record, std::vector<Value>& values) {
-  record.for_each(
-      [&](const BlendStep& step) { values[step.keep] = blended(step, values, values[step.keep]); });
-}
-
-/// What a step takes, it takes from the input, and no other step sees it.
-template <class Value>
-void resample(const std::vector<BlendStep>& steps, const std::vector<Value>& input,
-              std::vector<Value>& values) {
-  for (const BlendStep& step : steps) values[step.keep] = blended(step, input, values[step.keep]);
+  values[step.keep] = blend.mean();
 }
 
 }  // namespace curvdecim::detail

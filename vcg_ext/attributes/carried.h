@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "vcg_ext/attributes/attribute_blend.h"
+#include "vcg_ext/attributes/corner_copies.h"
 #include "vcg_ext/attributes/face_copies.h"
 #include "vcg_ext/attributes/wedge_texture.h"
 
@@ -15,11 +16,16 @@ namespace curvdecim::detail {
 struct Carried {
   BlendRecord blended;  // by the collapses
   FaceCopies new_faces;
+  std::optional<CornerCopies> copies;  // instead of `blended`, where a vertex stands for several
   std::optional<WedgeTexture> wedges;  // where the mesh has wedge texture coordinates
   std::vector<BlendStep> resampled;    // from the input, after all others: by the refinement
 
   CollapseObservers collapse_observers() {
-    CollapseObservers observers = {&blended, &new_faces};
+    CollapseObservers observers = {&new_faces};
+    if (copies)
+      observers.push_back(&*copies);
+    else
+      observers.push_back(&blended);
     if (wedges) observers.push_back(&*wedges);
     return observers;
   }
@@ -27,13 +33,41 @@ struct Carried {
   RemovalObservers removal_observers() {
     return wedges ? RemovalObservers{&*wedges} : RemovalObservers{};
   }
+
+  /// use(BlendStep), in the order of the collapses.
+  template <class Use>
+  void for_each_step(Use use) const {
+    copies ? copies->for_each(use) : blended.for_each(use);
+  }
+
+  // --- what faces do not agree about ------------------------------------------------------------
+
+  /// True if a vertex carries different values in different faces.
+  bool on_seam(const WorkingMesh& mesh, int v) const {
+    return (wedges && wedges->on_seam(mesh, v)) || (copies && copies->on_seam(mesh, v));
+  }
+
+  /// True if two faces do not agree about an end of their edge.
+  bool is_seam(const WorkingMesh& mesh, int f, int g, int a, int b) const {
+    return (wedges && wedges->is_seam(mesh, f, g, a, b)) ||
+           (copies && copies->is_seam(mesh, f, g, a, b));
+  }
+
+  /// Before TriangleConnectivity::flip of an edge that is no seam.
+  void flip(const WorkingMesh& mesh, int f, int g, int a, int b) {
+    if (wedges) wedges->flip(mesh, f, g, a, b);
+    if (copies) copies->flip(mesh, f, g, a, b);
+  }
+
+  void renumber(const Renumbering& numbers) {
+    if (wedges) wedges->renumber(numbers);
+    if (copies) copies->renumber(numbers);
+  }
 };
 
 /// Tells whether the edge ab between the faces f and g is a seam. mesh and carried must outlive it.
 inline auto seams_of(const WorkingMesh& mesh, const Carried& carried) {
-  return [&](int f, int g, int a, int b) {
-    return carried.wedges && carried.wedges->is_seam(mesh, f, g, a, b);
-  };
+  return [&](int f, int g, int a, int b) { return carried.is_seam(mesh, f, g, a, b); };
 }
 
 }  // namespace curvdecim::detail

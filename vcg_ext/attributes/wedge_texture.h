@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "vcg_ext/attributes/charts.h"
 #include "vcg_ext/collapse/collapse_observer.h"
 #include "vcg_ext/geometry/closest_point.h"
 #include "vcg_ext/mesh/wedges.h"
@@ -14,9 +15,9 @@ namespace curvdecim::detail {
 
 /// Carries wedge texture coordinates through the collapses, or through removals of vertices, where
 /// every corner keeps those that its vertex has on its side of a seam. In a collapse the corners
-/// around the edge fall into charts: those at one vertex with the same coordinates, and those that
-/// a face at the edge joins. All corners of a chart take the coordinates of the chart's surface
-/// point nearest to the merged vertex, so that a chart does not tear and two charts do not mix.
+/// around the edge fall into charts (charts.h). All corners of a chart take the coordinates of the
+/// chart's surface point nearest to the merged vertex, so that a chart does not tear and two charts
+/// do not mix.
 class WedgeTexture : public CollapseObserver, public RemovalObserver {
  public:
   explicit WedgeTexture(std::vector<FaceWedges> wedges) : wedges_(std::move(wedges)) {}
@@ -25,10 +26,9 @@ class WedgeTexture : public CollapseObserver, public RemovalObserver {
 
   void before(const WorkingMesh& mesh, const EdgeNeighborhood& around, const VertexMerge& merge,
               int) override {
-    std::vector<Chart> charts;
-    for (const auto* faces : {&around.wings(), &around.star()})
-      for (int f : *faces) join_chart(mesh, f, merge, charts);
-    for (const Chart& chart : charts) move_corners(mesh, chart, around, merge);
+    const auto charts = charts_around<WedgeCoordinate>(mesh, around, merge,
+                                                       [&](int f, int i) { return wedges_[f][i]; });
+    for (const Charted& chart : charts) move_corners(mesh, chart, around, merge);
   }
 
   void before(const WorkingMesh& mesh, const VertexFan&,
@@ -91,43 +91,14 @@ class WedgeTexture : public CollapseObserver, public RemovalObserver {
   }
 
  private:
+  using Charted = Chart<WedgeCoordinate>;
+
   const WedgeCoordinate& corner(const WorkingMesh& mesh, int f, int v) const {
     return wedges_[f][mesh.connectivity.corner(f, v)];
   }
 
-  struct Corner {
-    int vertex;
-    WedgeCoordinate at;
-  };
-  struct Chart {
-    std::vector<Corner> corners;
-    std::vector<int> faces;
-  };
-
-  void join_chart(const WorkingMesh& mesh, int f, const VertexMerge& merge,
-                  std::vector<Chart>& charts) const {
-    std::vector<Corner> corners;
-    for (int i = 0; i < 3; ++i)
-      if (const int v = mesh.connectivity.face(f)[i]; v == merge.keep || v == merge.gone)
-        corners.push_back({v, wedges_[f][i]});
-    for (Chart& chart : charts)
-      if (shares_corner(chart, corners)) {
-        chart.corners.insert(chart.corners.end(), corners.begin(), corners.end());
-        chart.faces.push_back(f);
-        return;
-      }
-    charts.push_back({corners, {f}});
-  }
-
-  static bool shares_corner(const Chart& chart, const std::vector<Corner>& corners) {
-    for (const Corner& known : chart.corners)
-      for (const Corner& corner : corners)
-        if (known.vertex == corner.vertex && known.at == corner.at) return true;
-    return false;
-  }
-
   /// Corners of a vertex that stays keep their bits.
-  void move_corners(const WorkingMesh& mesh, const Chart& chart, const EdgeNeighborhood& around,
+  void move_corners(const WorkingMesh& mesh, const Charted& chart, const EdgeNeighborhood& around,
                     const VertexMerge& merge) {
     const WedgeCoordinate moved = nearest(mesh, chart.faces, merge.now);
     const bool keep_stays = merge.now == merge.keep_was;
@@ -137,10 +108,6 @@ class WedgeTexture : public CollapseObserver, public RemovalObserver {
         if (is_wing(around, f)) continue;  // goes anyway, and others still read it
         if (v == merge.gone || (v == merge.keep && !keep_stays)) wedges_[f][i] = moved;
       }
-  }
-
-  static bool is_wing(const EdgeNeighborhood& around, int f) {
-    return std::count(around.wings().begin(), around.wings().end(), f) > 0;
   }
 
   template <class Faces>

@@ -5,8 +5,11 @@
 
 #include <algorithm>
 #include <cstring>
+#include <optional>
 #include <utility>
+#include <vector>
 
+#include "vcg_ext/attributes/corner_copies.h"
 #include "vcg_ext/host_mesh/working_copy.h"
 #include "vcg_ext/mesh/border_seams.h"
 
@@ -35,17 +38,61 @@ bool carry_the_same(const MeshType& mesh, int v, int w) {
          have_the_same_custom_values(mesh, v, w);
 }
 
-/// Joins borders that lie on each other where their vertices carry the same. The first one of the
-/// host's mesh stands for the others.
-template <class MeshType>
-void join_borders(const MeshType& mesh, WorkingCopy& copy, const Parallel& parallel) {
-  const auto same = [&](int v, int w) {
-    return carry_the_same(mesh, copy.vertex_of[v], copy.vertex_of[w]);
-  };
-  BorderSeams seams(copy.mesh, same, parallel);
+/// Joins borders that lie on each other. The first one of the host's vertices in a place stands for
+/// the others.
+inline void join_borders(WorkingCopy& copy, const Parallel& parallel) {
+  BorderSeams seams(copy.mesh, parallel);
   Revertexed joined = seams.join();
-  copy.borders = {seams.joined(), seams.different()};
-  if (!joined.faces.empty()) reconnect(copy, std::move(joined), parallel);
+  if (joined.faces.empty()) return;
+  copy.borders_joined = seams.joined();
+  reconnect(copy, std::move(joined), parallel);
+}
+
+/// Tells the copies of each corner, where one vertex stands for several of the host's.
+template <class MeshType>
+class CopyReader {
+ public:
+  CopyReader(const MeshType& mesh, const WorkingCopy& copy)
+      : mesh_(mesh), copy_(copy), host_(copy.vertex_of), next_(host_.size(), none) {}
+
+  /// nullopt: all that were joined carry the same.
+  std::optional<CornerCopies> read() {
+    std::vector<Face> of_corner(copy_.mesh.face_origin.size());
+    for (std::size_t f = 0; f < of_corner.size(); ++f) {
+      const auto& face = mesh_.face[copy_.mesh.face_origin[f]];
+      for (int i = 0; i < 3; ++i)
+        of_corner[f][i] = copy_of(copy_.mesh.connectivity.face(static_cast<int>(f))[i],
+                                  static_cast<int>(vcg::tri::Index(mesh_, face.cV(i))));
+    }
+    if (host_.size() == copy_.vertex_of.size()) return std::nullopt;
+    return CornerCopies(std::move(of_corner), std::move(host_));
+  }
+
+ private:
+  static constexpr int none = -1;
+
+  /// The copy of v that carries what the host's vertex does; a new one if there is none.
+  int copy_of(int v, int host) {
+    int copy = v;
+    for (; host_[copy] != host && !carry_the_same(mesh_, host_[copy], host); copy = next_[copy]) {
+      if (next_[copy] != none) continue;
+      next_[copy] = static_cast<int>(host_.size());
+      host_.push_back(host), next_.push_back(none);
+    }
+    return copy;
+  }
+
+  const MeshType& mesh_;
+  const WorkingCopy& copy_;
+  std::vector<int> host_;  // by copy; the first ones are the vertices
+  std::vector<int> next_;  // by copy: another one of its vertex
+};
+
+/// nullopt: no vertex stands for several that carry different values.
+template <class MeshType>
+std::optional<CornerCopies> read_copies(const MeshType& mesh, const WorkingCopy& copy) {
+  if (copy.borders_joined == 0) return std::nullopt;
+  return CopyReader<MeshType>(mesh, copy).read();
 }
 
 }  // namespace curvdecim::detail

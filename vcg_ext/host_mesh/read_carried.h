@@ -11,6 +11,7 @@
 #include "vcg_ext/attributes/carried.h"
 #include "vcg_ext/collapse/collapse_plan.h"
 #include "vcg_ext/host_mesh/attributes.h"
+#include "vcg_ext/host_mesh/join_borders.h"
 #include "vcg_ext/host_mesh/working_copy.h"
 #include "vcg_ext/run/notes.h"
 
@@ -90,11 +91,13 @@ Carried read_carried(const MeshType& mesh, WorkingCopy& copy, bool quality_weigh
                      const CollapsePlan& plan, DecimationReport& report) {
   weigh_by_quality(mesh, quality_weight, copy, report);
   note_repairs(copy.mesh, copy.unusable.size(), plan.limits.keeps_topology, report);
-  note_borders(copy.borders.joined, copy.borders.different, report);
-  if (plan.pair_distance == 0.0) note_open_seams(copy.mesh, copy.vertex_of, report);
   Carried carried;
-  carried.blended = BlendRecord(has_varying_attributes(mesh, copy.vertex_of),
-                                expected_collapses(copy.mesh, plan.stop));
+  carried.copies = read_copies(mesh, copy);
+  note_borders(copy.borders_joined, carried.copies.has_value(), report);
+  if (plan.pair_distance == 0.0) note_open_seams(copy.mesh, copy.vertex_of, report);
+  if (!carried.copies)
+    carried.blended = BlendRecord(has_varying_attributes(mesh, copy.vertex_of),
+                                  expected_collapses(copy.mesh, plan.stop));
   carried.wedges = read_wedges(mesh, copy);
   if (carried.wedges && has_seams(copy.mesh, *carried.wedges)) note_seams(report);
   note_dropped_attributes(mesh, report);

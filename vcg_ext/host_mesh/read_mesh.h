@@ -171,7 +171,7 @@ WorkingCopy read_mesh(const MeshType& mesh, bool selected_only, const Parallel& 
 template <class MeshType>
 WorkingCopy read_mesh(const MeshType& mesh, const ReadingPlan& plan, const Parallel& parallel) {
   WorkingCopy copy = read_mesh(mesh, plan.selected_only, parallel);
-  if (plan.joins_borders) join_borders(mesh, copy, parallel);
+  if (plan.joins_borders) join_borders(copy, parallel);
   if (plan.sheets == Sheets::AreSeparated) separate_sheets(copy, parallel);
   return copy;
 }

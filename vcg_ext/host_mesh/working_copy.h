@@ -16,12 +16,6 @@
 
 namespace curvdecim::detail {
 
-/// Pairs of border edges that lie on each other.
-struct BorderCounts {
-  int joined = 0;     // for the run
-  int different = 0;  // not joined, since their vertices carry different values
-};
-
 /// A host's mesh as index arrays, which the run changes, with the way back, which it does not.
 struct WorkingCopy {
   WorkingMesh mesh;
@@ -32,7 +26,7 @@ struct WorkingCopy {
   std::vector<int> left_alone;         // the host's faces left out that stay
   std::vector<std::uint8_t> selected;  // by working face at the start: 1 if it is
   int vertices_read = 0;               // of the host's mesh
-  BorderCounts borders;
+  int borders_joined = 0;              // pairs of edges that lay on each other
   UnitBox box;
 };
 

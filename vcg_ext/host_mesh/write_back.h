@@ -21,18 +21,19 @@ namespace curvdecim::detail {
 template <class MeshType>
 class WriteBack {
  public:
-  WriteBack(MeshType& mesh, const WorkingCopy& copy)
+  WriteBack(MeshType& mesh, const WorkingCopy& copy, const Carried& carried)
       : mesh_(mesh),
         copy_(copy),
+        carried_(carried),
         moved_(copy.mesh.position.size(), false),
-        place_of_(copy.vertex_of.size(), none) {}
+        place_of_(hosts().size(), none) {}
 
-  void run(const Carried& carried) {
+  void run() {
     place_vertices();
-    blend_attributes(carried);
-    for (const auto [to, from] : carried.new_faces.copies())
+    blend_attributes();
+    for (const auto [to, from] : carried_.new_faces.copies())
       mesh_.face[to].ImportData(mesh_.face[from]);
-    if (carried.wedges) write_all_wedges(*carried.wedges);
+    if (carried_.wedges) write_all_wedges(*carried_.wedges);
     move_vertices();
     const std::vector<bool> used_before = used_vertices();
     connect_faces();
@@ -46,24 +47,46 @@ class WriteBack {
   static constexpr int none = -1;
 
   const TriangleConnectivity& connectivity() const { return copy_.mesh.connectivity; }
-  bool in_use(int v) const { return connectivity().faces_of(v).size() > 0; }
-  int start_of(int v) const { return copy_.mesh.vertex_origin[v]; }
-  Vertex& vertex(int v) { return mesh_.vert[place_of_[start_of(v)]]; }
-  /// v: the number at the start.
-  const Vertex& start_vertex(int v) const { return mesh_.vert[copy_.vertex_of[v]]; }
+
+  // What is written are copies: every vertex is one, with the number that it had at the start, or
+  // stands for several that carry different values.
+
+  /// By copy: the host's vertex that it was.
+  const std::vector<int>& hosts() const {
+    return carried_.copies ? carried_.copies->host() : copy_.vertex_of;
+  }
+
+  /// The copy that a corner of face f belongs to.
+  int copy_at(int f, int corner) const {
+    return carried_.copies ? carried_.copies->of_face(f)[corner]
+                           : copy_.mesh.vertex_origin[connectivity().face(f)[corner]];
+  }
+
+  Vertex& vertex(int f, int corner) { return mesh_.vert[place_of_[copy_at(f, corner)]]; }
+
+  /// use(copy, v), once for every copy that is left of a vertex.
+  template <class Use>
+  void for_each_copy(Use use) const {
+    std::vector<bool> seen(hosts().size(), false);
+    for (int v = 0; v < connectivity().vertex_slots(); ++v)
+      for (int f : connectivity().faces_of(v)) {
+        const int copy = copy_at(f, connectivity().corner(f, v));
+        if (!seen[copy]) use(copy, v);
+        seen[copy] = true;
+      }
+  }
 
   /// The first of those that are left of a host's vertex goes there, and each of the others to a
   /// new one with all that it carries.
   void place_vertices() {
     std::vector<bool> taken(mesh_.vert.size(), false);
     std::vector<int> copied;
-    for (int v = 0; v < connectivity().vertex_slots(); ++v) {
-      if (!in_use(v)) continue;
-      const int own = copy_.vertex_of[start_of(v)];
-      place_of_[start_of(v)] = taken[own] ? static_cast<int>(taken.size() + copied.size()) : own;
+    for_each_copy([&](int copy, int) {
+      const int own = hosts()[copy];
+      place_of_[copy] = taken[own] ? static_cast<int>(taken.size() + copied.size()) : own;
       if (taken[own]) copied.push_back(own);
       taken[own] = true;
-    }
+    });
     add_copies_of(copied);
   }
 
@@ -80,13 +103,13 @@ class WriteBack {
   }
 
   void move_vertices() {
-    for (int v = 0; v < connectivity().vertex_slots(); ++v) {
-      if (!in_use(v)) continue;
-      auto& p = vertex(v).P();
+    for_each_copy([&](int copy, int v) {
+      auto& p = mesh_.vert[place_of_[copy]].P();
       const Vector3& x = copy_.mesh.position[v];
-      moved_[v] = x != copy_.box.to_box(vector_of(p));
-      if (moved_[v]) assign(p, copy_.box.to_user(x));
-    }
+      if (x == copy_.box.to_box(vector_of(p))) return;
+      moved_[v] = true;
+      assign(p, copy_.box.to_user(x));
+    });
   }
 
   void connect_faces() {
@@ -96,7 +119,7 @@ class WriteBack {
       if (!connectivity().alive(f)) continue;
       stays[copy_.mesh.face_origin[f]] = true;
       const auto [a, b, c] = connectivity().face(f);
-      connect_face(mesh_, copy_.mesh.face_origin[f], {&vertex(a), &vertex(b), &vertex(c)},
+      connect_face(mesh_, copy_.mesh.face_origin[f], {&vertex(f, 0), &vertex(f, 1), &vertex(f, 2)},
                    moved_[a] || moved_[b] || moved_[c], copy_.mesh.plane[f].normal);
     }
     for (std::size_t f = 0; f < stays.size(); ++f)
@@ -130,38 +153,41 @@ class WriteBack {
 
   /// read(vertex) -> Value, write(vertex, Value).
   template <class Value, class Read, class Write>
-  void blend(const Carried& steps, Read read, Write write) {
-    std::vector<Value> values(copy_.vertex_of.size());
-    for (std::size_t v = 0; v < values.size(); ++v)
-      values[v] = read(start_vertex(static_cast<int>(v)));
-    const std::vector<Value> input = steps.resampled.empty() ? std::vector<Value>() : values;
-    replay(steps.blended, values);
-    resample(steps.resampled, input, values);
+  void blend(Read read, Write write) {
+    std::vector<Value> values(hosts().size());
+    for (std::size_t c = 0; c < values.size(); ++c) values[c] = read(mesh_.vert[hosts()[c]]);
+    const std::vector<Value> input = carried_.resampled.empty() ? std::vector<Value>() : values;
     std::vector<bool> changed(values.size(), false);
-    const auto note = [&](const BlendStep& step) { changed[step.keep] = true; };
-    steps.blended.for_each(note);
-    std::for_each(steps.resampled.begin(), steps.resampled.end(), note);
-    for (std::size_t v = 0; v < values.size(); ++v)
-      if (changed[v] && place_of_[v] != none) write(mesh_.vert[place_of_[v]], values[v]);
+    carried_.for_each_step([&](const BlendStep& step) {
+      changed[step.keep] = true;
+      take(step, values, values);
+    });
+    for (const BlendStep& step : carried_.resampled) {
+      changed[step.keep] = true;
+      take(step, input, values);
+    }
+    for (std::size_t c = 0; c < values.size(); ++c)
+      if (changed[c] && place_of_[c] != none) write(mesh_.vert[place_of_[c]], values[c]);
   }
 
-  void blend_attributes(const Carried& steps) {
+  void blend_attributes() {
     VertexAttributes<MeshType>::for_each(mesh_, [&](auto read, auto write) {
-      blend<std::decay_t<decltype(read(mesh_.vert[0]))>>(steps, read, write);
+      blend<std::decay_t<decltype(read(mesh_.vert[0]))>>(read, write);
     });
   }
 
   MeshType& mesh_;
   const WorkingCopy& copy_;
+  const Carried& carried_;
   std::vector<bool> moved_;    // by working vertex
-  std::vector<int> place_of_;  // by working vertex at the start: where in the host's mesh it goes
+  std::vector<int> place_of_;  // by copy: where in the host's mesh it goes
 };
 
 /// Makes the host's mesh what the run made of its working copy.
 template <class MeshType>
 void write_back(MeshType& mesh, const WorkingCopy& copy, const Carried& carried,
                 DecimationReport& report) {
-  WriteBack<MeshType>(mesh, copy).run(carried);
+  WriteBack<MeshType>(mesh, copy, carried).run();
   report.faces = mesh.fn, report.vertices = mesh.vn;
 }
 

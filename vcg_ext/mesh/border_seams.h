@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <functional>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -34,11 +33,8 @@ struct FaceSide {
 /// one way as the other; of more than two, those belong together that bound one piece of material.
 class BorderSeams {
  public:
-  /// same(v, w): whether two vertices in one place carry the same; only such are joined.
-  using Same = std::function<bool(int, int)>;
-
-  BorderSeams(const WorkingMesh& mesh, Same same, const Parallel& parallel)
-      : mesh_(mesh), same_(std::move(same)), parallel_(parallel) {}
+  BorderSeams(const WorkingMesh& mesh, const Parallel& parallel)
+      : mesh_(mesh), parallel_(parallel) {}
 
   /// The mesh with the borders joined; the first vertex of a site that is joined stands for the
   /// others. No faces: there is nothing to join.
@@ -56,9 +52,6 @@ class BorderSeams {
     return static_cast<int>(std::count_if(seams_.begin(), seams_.end(),
                                           [&](const Seam& seam) { return is_joined(seam); }));
   }
-
-  /// Pairs that were not, since their vertices carry different values.
-  int different() const { return different_; }
 
  private:
   static constexpr int none = -1;
@@ -167,13 +160,7 @@ class BorderSeams {
   }
 
   void add_seam(const FaceSide& f, const FaceSide& g) {
-    const Seam seam{{low_of(f), low_of(g)}, {high_of(f), high_of(g)}};
-    const auto [a, b] = seam.low;
-    const auto [c, d] = seam.high;
-    if ((a == b || same_(a, b)) && (c == d || same_(c, d)))
-      seams_.push_back(seam);
-    else
-      ++different_;
+    seams_.push_back({{low_of(f), low_of(g)}, {high_of(f), high_of(g)}});
   }
 
   bool is_joined(const Seam& seam) const {
@@ -251,9 +238,8 @@ class BorderSeams {
   }
 
   const WorkingMesh& mesh_;
-  const Same same_;
   const Parallel& parallel_;
-  int sites_ = 0, different_ = 0;
+  int sites_ = 0;
   std::vector<int> site_;       // by vertex; none: alone in its place, inside, or locked
   std::vector<bool> given_up_;  // by site
   FacesAtEdge at_edge_;

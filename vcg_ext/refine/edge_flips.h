@@ -20,10 +20,9 @@ namespace curvdecim::detail {
 /// samples of both @cite hoppe1993. The best first; flips of one pass share no vertex.
 class EdgeFlips {
  public:
-  /// wedges: or nullptr.
   EdgeFlips(WorkingMesh& mesh, InputSamples& of_input, MeshSamples& of_mesh, const MoveGuard& guard,
-            WedgeTexture* wedges)
-      : mesh_(mesh), of_input_(of_input), of_mesh_(of_mesh), guard_(guard), wedges_(wedges) {}
+            Carried& carried)
+      : mesh_(mesh), of_input_(of_input), of_mesh_(of_mesh), guard_(guard), carried_(carried) {}
 
   /// near: by face, a face of the input near it. Returns the number of flips.
   int run(const std::vector<int>& near, const Parallel& parallel) {
@@ -148,7 +147,7 @@ class EdgeFlips {
     if (connectivity.faces_of(flip.a).size() <= least_valence ||
         connectivity.faces_of(flip.b).size() <= least_valence)
       return false;
-    if (wedges_ && wedges_->is_seam(mesh_, flip.f, flip.g, flip.a, flip.b)) return false;
+    if (carried_.is_seam(mesh_, flip.f, flip.g, flip.a, flip.b)) return false;
     return !connectivity.has_edge(flip.c, flip.d);
   }
 
@@ -209,7 +208,7 @@ class EdgeFlips {
   }
 
   void apply(const Flip& flip) {
-    if (wedges_) wedges_->flip(mesh_, flip.f, flip.g, flip.a, flip.b);
+    carried_.flip(mesh_, flip.f, flip.g, flip.a, flip.b);
     mesh_.connectivity.flip(flip.f, flip.g, flip.a, flip.b);
     mesh_.update_plane(flip.f), mesh_.update_plane(flip.g);
   }
@@ -223,7 +222,7 @@ class EdgeFlips {
   InputSamples& of_input_;
   MeshSamples& of_mesh_;
   const MoveGuard& guard_;
-  WedgeTexture* wedges_;
+  Carried& carried_;
 };
 
 }  // namespace curvdecim::detail

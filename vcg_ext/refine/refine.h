@@ -30,17 +30,17 @@ namespace curvdecim::detail {
 ///     steps of all vertices that fit the samples best                      (vertex_fit.h)
 ///     shorten the steps that would spoil or fold a face                    (move_guard.h)
 ///
-/// Locked vertices and those of non-manifold curves stay, and so does what the wedge texture has
-/// seams at; border vertices move with the boundary.
+/// Locked vertices and those of non-manifold curves stay, and so do those that carry different
+/// values in different faces; border vertices move with the boundary.
 class Refinement {
  public:
-  /// mesh: without gaps in its numbers; input: what the mesh was before the collapses; wedges: of
-  /// the mesh, or nullptr.
+  /// mesh: without gaps in its numbers; input: what the mesh was before the collapses; carried: by
+  /// the mesh.
   Refinement(WorkingMesh& mesh, const InputSurface& input, const CollapsePlan& plan,
-             WedgeTexture* wedges, const Parallel& parallel)
+             Carried& carried, const Parallel& parallel)
       : mesh_(mesh),
         input_(input),
-        wedges_(wedges),
+        carried_(carried),
         parallel_(parallel),
         area_(total_area(input)),
         limits_(area_, face_count()),
@@ -61,13 +61,13 @@ class Refinement {
     for (int sweep = 0; sweep < sweeps; ++sweep) {
       progress.set(static_cast<double>(sweep) / sweeps);
       match();
-      EdgeFlips(mesh_, of_input_, of_mesh_, guard_, wedges_).run(near_, parallel_);
+      EdgeFlips(mesh_, of_input_, of_mesh_, guard_, carried_).run(near_, parallel_);
       fit(fixed);
     }
   }
 
   /// Where on the input the vertices that moved take their attributes from. Vertices have the
-  /// numbers that they had at the start.
+  /// numbers that they had at the start, or those of their copies.
   std::vector<BlendStep> attributes() const {
     std::vector<SurfacePoint> from(mesh_.position.size());
     parallel_.for_each(
@@ -78,13 +78,20 @@ class Refinement {
         Parallel::heavy);
     std::vector<BlendStep> steps;
     for (std::size_t v = 0; v < from.size(); ++v)
-      if (from[v].found())
-        steps.push_back(BlendStep::at(mesh_.vertex_origin[v],
-                                      input_.connectivity.face(from[v].face), from[v].weight));
+      if (from[v].found()) steps.push_back(step_to(static_cast<int>(v), from[v]));
     return steps;
   }
 
  private:
+  /// v: on no seam.
+  BlendStep step_to(int v, const SurfacePoint& from) const {
+    if (!carried_.copies)
+      return BlendStep::at(mesh_.vertex_origin[v], input_.connectivity.face(from.face),
+                           from.weight);
+    return BlendStep::at(carried_.copies->corner(mesh_, *mesh_.connectivity.faces_of(v).begin(), v),
+                         carried_.copies->of_start_face(from.face), from.weight);
+  }
+
   /// A border's samples against those of the surface: the border must not pull the surface along.
   static constexpr double border_share = 0.3;
 
@@ -94,9 +101,8 @@ class Refinement {
     std::vector<std::uint8_t> fixed(mesh_.position.size());
     for (std::size_t i = 0; i < fixed.size(); ++i) {
       const int v = static_cast<int>(i);
-      fixed[i] =
-          static_cast<std::uint8_t>(mesh_.locked[i] != 0 || mesh_.kind[i] >= VertexKind::Curve ||
-                                    (wedges_ && wedges_->on_seam(mesh_, v)));
+      fixed[i] = static_cast<std::uint8_t>(
+          mesh_.locked[i] != 0 || mesh_.kind[i] >= VertexKind::Curve || carried_.on_seam(mesh_, v));
     }
     return fixed;
   }
@@ -114,7 +120,7 @@ class Refinement {
     std::vector<Vector3> steps =
         VertexFit(mesh_, parallel_).steps(of_input_, of_mesh_, of_border_, fixed);
     std::vector<Vector3> now = guard_.moved(std::move(steps), near_, parallel_);
-    if (wedges_) wedges_->move(mesh_, now);
+    if (carried_.wedges) carried_.wedges->move(mesh_, now);
     mesh_.position.swap(now);
     parallel_.for_each(face_count(), [&](int f) { mesh_.update_plane(f); });
   }
@@ -126,7 +132,7 @@ class Refinement {
 
   WorkingMesh& mesh_;
   const InputSurface& input_;
-  WedgeTexture* wedges_;
+  Carried& carried_;
   const Parallel& parallel_;
   const double area_;  // of the input
   const MatchLimits limits_;
@@ -149,11 +155,11 @@ inline std::optional<InputCopy> keep_input(const WorkingMesh& mesh, const Collap
 }
 
 /// Gives what is left new numbers without gaps, so that what is gone needs no memory.
-inline void pack(WorkingMesh& mesh, std::optional<WedgeTexture>& wedges) {
+inline void pack(WorkingMesh& mesh, Carried& carried) {
   const Renumbering without_gaps(mesh.connectivity);
   mesh.renumber(without_gaps);
   mesh = WorkingMesh(mesh);  // a copy has no room to spare
-  if (wedges) wedges->renumber(without_gaps);
+  carried.renumber(without_gaps);
 }
 
 /// Moves vertices and flips edges of the decimated mesh, as often as the plan says, to bring it
@@ -161,11 +167,10 @@ inline void pack(WorkingMesh& mesh, std::optional<WedgeTexture>& wedges) {
 inline void refine(WorkingMesh& decimated, std::optional<InputCopy> input, const CollapsePlan& plan,
                    Carried& carried, const Parallel& parallel, ProgressMeter& progress) {
   if (!input) return;
-  pack(decimated, carried.wedges);
+  pack(decimated, carried);
   if (decimated.connectivity.face_count() == 0) return;  // may be without the link condition
   const InputSurface surface(std::move(*input));
-  Refinement refinement(decimated, surface, plan, carried.wedges ? &*carried.wedges : nullptr,
-                        parallel);
+  Refinement refinement(decimated, surface, plan, carried, parallel);
   refinement.run(plan.refine_sweeps, progress);
   carried.resampled = refinement.attributes();
   assert((decimated.connectivity.validate(), true));

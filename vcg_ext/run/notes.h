@@ -46,15 +46,15 @@ inline void note_repairs(const WorkingMesh& mesh, std::size_t removed, bool keep
                            (keeps_topology ? "; there will not be more." : "."));
 }
 
-/// Pairs of border edges that lie on each other.
-inline void note_borders(int joined, int different, DecimationReport& report) {
-  if (joined > 0)
-    report.notes.push_back("Joined " + std::to_string(joined) +
-                           " pairs of border edges that lay on each other.");
-  if (different > 0)
-    report.notes.push_back(std::to_string(different) +
-                           " pairs of border edges that lie on each other were not joined: their "
-                           "vertices differ in colour, quality, texture or custom values.");
+/// joined: pairs of border edges that lay on each other; differ: some of their vertices do, in what
+/// they carry.
+inline void note_borders(int joined, bool differ, DecimationReport& report) {
+  if (joined == 0) return;
+  report.notes.push_back(
+      "Joined " + std::to_string(joined) + " pairs of border edges that lay on each other." +
+      (differ ? " Vertices that differ in colour, quality, texture or custom values come out as "
+                "copies in one place."
+              : ""));
 }
 
 /// Border vertices that lie where another one lies: faces that were never joined. Vertices are in
