@@ -38,7 +38,7 @@ DecimationReport decimate_vertex_removal(MeshType& mesh, const VertexRemovalPara
     const Tally tally = remove_vertices(copy.mesh, *plan, seams_of(copy.mesh, carried),
                                         carried.removal_observers(), run.parallel, run.progress);
     write_back(mesh, copy, carried, run.report);
-    conclude(tally, copy.box.diagonal, "no vertex is left that may go", run.report);
+    conclude(tally, *plan, copy.mesh, copy.box.diagonal, run.report);
   });
 }
 

@@ -49,6 +49,7 @@ class StrictSchedule {
     int before;
     do {  // a refused edge may have become possible since: ask all once more before giving up
       before = next_number_;
+      tally.begin_look();
       rests_.end_all();
       fill_queue(parallel);
       reason = empty_queue(progress, tally);

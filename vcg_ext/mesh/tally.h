@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 
 #include "vcg_ext/mesh/working_mesh.h"
@@ -14,6 +15,10 @@ struct StopCriterion {
   int faces = 0;     ///< stop at this many faces of the working mesh
   int vertices = 0;  ///< stop at this many vertices of the working mesh
   int start = 0;     ///< faces of the working mesh at the start
+  int staying = 0;   ///< of these, faces that may not change
+
+  /// False where a run goes as far as its bound lets it.
+  bool has_target() const { return faces > staying || vertices > 0; }
 
   /// once_removed: what is about to go.
   bool reached(const TriangleConnectivity& connectivity, const Removed& once_removed = {}) const {
@@ -40,6 +45,7 @@ struct Tally {
   double largest_error = 0.0;  // bound on the two-sided distance to the input, where it is known
   double cost_last = 0.0;
   Rejections rejected;
+  Rejections before_look;  // of rejected, those before all that was left was asked once more
   std::int64_t pairs_contracted = 0;
   std::int64_t parts_removed = 0, holes_closed = 0, handles_cut = 0, junctions_parted = 0;
   double largest_removed = 0.0;  // of these: diameter of the box, or longest edge of the cut
@@ -49,6 +55,16 @@ struct Tally {
   void count_step(double cost, double error) {
     cost_last = cost;
     largest_error = std::max(largest_error, error);
+  }
+
+  /// To be told when all that is left is asked about.
+  void begin_look() { before_look = rejected; }
+
+  /// What stood against steps when all that was left was asked for the last time.
+  Rejections last_look() const {
+    Rejections last = rejected;
+    for (std::size_t i = 0; i < last.count.size(); ++i) last.count[i] -= before_look.count[i];
+    return last;
   }
 
   /// Where nothing is left to do and the bound stood against some steps, the bound was the reason.

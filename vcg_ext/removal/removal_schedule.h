@@ -56,6 +56,7 @@ class RemovalSchedule {
     int before;
     do {  // a refused vertex may have become free since: ask all once more before giving up
       before = mesh_.connectivity.face_count();
+      tally_.begin_look();
       fill_queue(parallel);
       reason = empty_queue();
     } while (reason == StopReason::NothingLeft && mesh_.connectivity.face_count() < before);
@@ -137,6 +138,7 @@ class RemovalSchedule {
     double threshold = 0.0;
     for (;;) {
       const int before = mesh_.connectivity.face_count();
+      tally_.begin_look();
       const double next = pass(threshold);
       if (stop_.reached(mesh_.connectivity)) return StopReason::Target;
       if (mesh_.connectivity.face_count() < before) continue;  // others may be free now

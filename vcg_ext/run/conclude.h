@@ -9,19 +9,18 @@
 #include "vcg_ext/clustering/clustering_operator.h"
 #include "vcg_ext/collapse/collapse_plan.h"
 #include "vcg_ext/mesh/tally.h"
+#include "vcg_ext/removal/removal_plan.h"
 #include "vcg_ext/run/notes.h"
+#include "vcg_ext/run/stop_reasons.h"
 
 namespace curvdecim::detail {
 
-/// diagonal: of the bounding box, in the mesh's unit. exhausted: what a run had no more of that
-/// ends above its target.
-inline void conclude(const Tally& tally, double diagonal, const char* exhausted,
-                     DecimationReport& report) {
+/// diagonal: of the bounding box, in the mesh's unit.
+inline void conclude(const Tally& tally, double diagonal, DecimationReport& report) {
   report.stopped_by = tally.stopped_by;
   report.max_error = diagonal * tally.largest_error;
   report.cost_last = tally.cost_last;
   report.rejected = tally.rejected;
-  note_stop(exhausted, report);
 }
 
 /// mesh: after the run.
@@ -35,7 +34,15 @@ inline void conclude(const Tally& tally, const CollapsePlan& plan, const Working
   report.largest_removed = diagonal * tally.largest_removed;
   if (plan.pair_distance > 0.0) note_pairs(mesh, report);
   note_what_gave_way(report);
-  conclude(tally, diagonal, "no edge is left that may collapse", report);
+  conclude(tally, diagonal, report);
+  note_stop(tally, plan, mesh, report);
+}
+
+/// mesh: after the run.
+inline void conclude(const Tally& tally, const RemovalPlan& plan, const WorkingMesh& mesh,
+                     double diagonal, DecimationReport& report) {
+  conclude(tally, diagonal, report);
+  note_stop(tally, plan, mesh, report);
 }
 
 /// Says so where the number of faces is not the target.

@@ -12,7 +12,6 @@
 #include <utility>
 #include <vector>
 
-#include "vcg_ext/mesh/tally.h"
 #include "vcg_ext/mesh/working_mesh.h"
 #include "vcg_ext/report.h"
 
@@ -112,19 +111,6 @@ inline void note_what_gave_way(DecimationReport& report) {
   size << std::setprecision(4) << report.largest_removed;
   report.notes.push_back("Gave way, being smaller than the error: " + what + "; the largest was " +
                          size.str() + " across. Preserve topology keeps them.");
-}
-
-/// Says why more is left than was asked for. exhausted: what the run had no more of.
-inline void note_stop(const char* exhausted, DecimationReport& report) {
-  if (report.stopped_by != StopReason::NothingLeft) return;
-  const auto& counts = report.rejected.count;
-  const auto most = std::max_element(counts.begin(), counts.end());
-  std::string note =
-      "Stopped at " + std::to_string(report.faces) + " faces, above the target: " + exhausted + '.';
-  if (*most > 0)
-    note +=
-        std::string(" Most were refused by ") + labels(Rejection())[most - counts.begin()] + '.';
-  report.notes.push_back(note);
 }
 
 }  // namespace curvdecim::detail

@@ -45,7 +45,8 @@ inline std::optional<StopCriterion> stop_criterion(const DecimationParams& param
     return std::nullopt;
   const int unused = input.all.vertices - input.used_vertices;
   return StopCriterion{faces + input.staying_faces,
-                       by_vertices ? std::max(0, params.target_vertices - unused) : 0, input.faces};
+                       by_vertices ? std::max(0, params.target_vertices - unused) : 0, input.faces,
+                       input.staying_faces};
 }
 
 }  // namespace curvdecim::detail
