@@ -47,8 +47,9 @@ TEST(BorderArea, IsTheSameWhereverTheVertexLiesOnThePlane) {
   }
 }
 
-TEST(BorderArea, HasNoPlaneInside) {
+TEST(BorderArea, HasNoPlaneInsideOrAtACorner) {
   EXPECT_FALSE(plane_of(working_mesh(plane_grid(4)), {12, 13}));
+  EXPECT_FALSE(plane_of(working_mesh(plane_grid(4)), {0, 1}));
   EXPECT_TRUE(plane_of(working_mesh(plane_grid(4)), {1, 2}));
 }
 

@@ -19,13 +19,19 @@ inline int next_on_border(const WorkingMesh& mesh, int from, int v) {
 
 /// The plane on which the collapse of a border edge leaves the area inside the border as it is
 /// @cite lindstrom1998. Without it a vertex goes to where the lines of its neighbours meet: a
-/// border that is round grows tips. half: of the edge; wing: area vector of the face at it.
+/// border that is round grows tips. None at a corner, which keeps its lines. half: of the edge;
+/// wing: area vector of the face at it.
 inline std::optional<KeepingPlane> border_area_plane(const WorkingMesh& mesh, Edge edge,
                                                      const Vector3& half, const Vector3& wing) {
   if (!is_boundary_edge(mesh.connectivity, edge.a, edge.b)) return std::nullopt;
   const Vector3 middle = mesh.position[edge.a] + half;
   const Vector3 before = mesh.position[next_on_border(mesh, edge.b, edge.a)] - middle;
   const Vector3 after = mesh.position[next_on_border(mesh, edge.a, edge.b)] - middle;
+  const auto is_round = [&](const Vector3& side) {
+    constexpr double corner = 0.1;  // cosine of a turn of 84 degrees: less than a square has
+    return side.dot(half) > corner * side.norm() * half.norm();
+  };
+  if (!is_round(-half - before) || !is_round(after - half)) return std::nullopt;
   return KeepingPlane{wing.cross(before - after), wing.dot(half.cross(before + after))};
 }
 
