@@ -20,7 +20,7 @@ struct GuardAnswer {
   std::optional<Rejection> refusal;  ///< nullopt: it may
   double error_bound = 0.0;          ///< of the faces around, were it done; 0 without a bound
   double price = 0.0;                ///< beside the cost: area times squared distance, in the box
-  Obstacle obstacle{};               ///< to be cleared instead
+  Obstacle obstacle{};               ///< to be cleared instead; then the edge is asked about again
 };
 
 /// All that may refuse a collapse once its kinds allow it, or make it costlier: the cheap guards
@@ -53,7 +53,8 @@ class CollapseGuards {
       answer.price += *price;
     }
     answer.price += spike_price(mesh_, around, x, after);
-    if (keeps_normal_ && folds(mesh_, around, after)) return {Rejection::NormalFlip};
+    if (keeps_normal_ && !answer.obstacle.exists() && folds(mesh_, around, after))
+      return {Rejection::NormalFlip};
     if (!bound_.active()) return answer;
     answer.error_bound = bound_.after(mesh_, around, x);
     if (!bound_.allows(answer.error_bound)) return {Rejection::ErrorBound};
