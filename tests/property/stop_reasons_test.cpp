@@ -80,25 +80,23 @@ TEST(EndOfCollapse, SaysThatABoundKeepsTheTopology) {
   EXPECT_TRUE(is_said(report, "Maximum error keeps the topology")) << told(report);
 }
 
-/// The left half of a ball is selected; its rim is at faces that are not.
-template <class Run>
-DecimationReport of_the_left_half(Run run) {
+/// Runs to one face with the left half of a ball selected; its rim is at faces that are not.
+template <class Params, class Run>
+void expect_selection_told(Params params, Run run) {
   RichMesh mesh;
   fill(mesh, unit_ball(2));
   for (auto& face : mesh.face)
     if (is_left(face.P(0)) && is_left(face.P(1)) && is_left(face.P(2))) face.SetS();
-  return run(mesh);
-}
-
-TEST(EndOfCollapse, CountsTheVerticesThatASelectionHolds) {
-  const DecimationReport report = of_the_left_half([](RichMesh& mesh) {
-    EdgeCollapseParams params = to_faces(1);
-    params.selected_only = true;
-    return decimate(mesh, params);
-  });
+  params.selected_only = true;
+  const DecimationReport report = run(mesh, params);
   ASSERT_EQ(report.stopped_by, StopReason::NothingLeft);
   EXPECT_TRUE(is_said(report, "vertices stay because of faces there that are not selected"))
       << told(report);
+}
+
+TEST(EndOfCollapse, CountsTheVerticesThatASelectionHolds) {
+  expect_selection_told(to_faces(1),
+                        [](auto& mesh, const auto& params) { return decimate(mesh, params); });
 }
 
 class EndOfRemoval : public testing::TestWithParam<NamedShape> {};
@@ -173,14 +171,8 @@ TEST(EndOfRemoval, CountsTheVerticesThatHaveTooManyFaces) {
 }
 
 TEST(EndOfRemoval, CountsTheVerticesThatASelectionHolds) {
-  const DecimationReport report = of_the_left_half([](RichMesh& mesh) {
-    VertexRemovalParams params = removal_to(1);
-    params.selected_only = true;
-    return remove(mesh, params);
-  });
-  ASSERT_EQ(report.stopped_by, StopReason::NothingLeft);
-  EXPECT_TRUE(is_said(report, "vertices stay because of faces there that are not selected"))
-      << told(report);
+  expect_selection_told(removal_to(1),
+                        [](auto& mesh, const auto& params) { return remove(mesh, params); });
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ using namespace detail;
 
 namespace {
 
-/// Of the collapse of edge 0-1 of a flat fan of six, of radius 1, to x.
+/// What the collapse of edge 0-1 of a flat fan of six, of radius 1, to x costs.
 double price_at(const Vector3& x) {
   const WorkingMesh mesh = working_mesh(fan(6));
   EdgeNeighborhood around;

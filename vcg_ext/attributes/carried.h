@@ -44,19 +44,20 @@ struct Carried {
 
   /// True if a vertex carries different values in different faces.
   bool on_seam(const WorkingMesh& mesh, int v) const {
-    return (wedges && wedges->on_seam(mesh, v)) || (copies && copies->on_seam(mesh, v));
+    return (wedges && wedges->values().on_seam(mesh, v)) ||
+           (copies && copies->values().on_seam(mesh, v));
   }
 
   /// True if two faces do not agree about an end of their edge.
   bool is_seam(const WorkingMesh& mesh, int f, int g, int a, int b) const {
-    return (wedges && wedges->is_seam(mesh, f, g, a, b)) ||
-           (copies && copies->is_seam(mesh, f, g, a, b));
+    return (wedges && wedges->values().is_seam(mesh, f, g, a, b)) ||
+           (copies && copies->values().is_seam(mesh, f, g, a, b));
   }
 
   /// Before TriangleConnectivity::flip of an edge that is no seam.
   void flip(const WorkingMesh& mesh, int f, int g, int a, int b) {
-    if (wedges) wedges->flip(mesh, f, g, a, b);
-    if (copies) copies->flip(mesh, f, g, a, b);
+    if (wedges) wedges->values().flip(mesh, f, g, a, b);
+    if (copies) copies->values().flip(mesh, f, g, a, b);
   }
 
   void renumber(const Renumbering& numbers) {

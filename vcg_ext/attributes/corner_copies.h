@@ -8,6 +8,7 @@
 
 #include "vcg_ext/attributes/attribute_blend.h"
 #include "vcg_ext/attributes/charts.h"
+#include "vcg_ext/attributes/corner_values.h"
 #include "vcg_ext/geometry/closest_point.h"
 
 namespace curvdecim::detail {
@@ -42,7 +43,7 @@ class CornerCopies : public CollapseObserver {
   void copied(const WorkingMesh& mesh, int v, int /*source*/, int number) override {
     std::vector<std::pair<int, int>> renamed;
     for (int f : mesh.connectivity.faces_of(v)) {
-      int& copy = of_corner_[f][mesh.connectivity.corner(f, v)];
+      int& copy = of_corner_.at(mesh, f, v);
       const auto known = std::find_if(renamed.begin(), renamed.end(),
                                       [&](const auto& pair) { return pair.first == copy; });
       const int now = known != renamed.end() ? known->second : add_copy_of(copy, number);
@@ -51,16 +52,9 @@ class CornerCopies : public CollapseObserver {
     }
   }
 
-  /// Each corner as in another face of its vertex.
-  void added(const WorkingMesh& mesh, int f) override {
-    for (int i = 0; i < 3; ++i) {
-      const int v = mesh.connectivity.face(f)[i];
-      for (int g : mesh.connectivity.faces_of(v))
-        if (g != f) of_corner_[f][i] = corner(mesh, g, v);
-    }
-  }
+  void added(const WorkingMesh& mesh, int f) override { of_corner_.add(mesh, f); }
 
-  void renumber(const Renumbering& numbers) override { numbers.faces(of_corner_); }
+  void renumber(const Renumbering& numbers) override { of_corner_.renumber(numbers); }
 
   // --- the result -------------------------------------------------------------------------------
 
@@ -80,30 +74,8 @@ class CornerCopies : public CollapseObserver {
   /// The copies of a face's corners at the start.
   const Face& of_start_face(int f) const { return at_start_[f]; }
 
-  int corner(const WorkingMesh& mesh, int f, int v) const {
-    return of_corner_[f][mesh.connectivity.corner(f, v)];
-  }
-
-  /// True if a vertex has several copies.
-  bool on_seam(const WorkingMesh& mesh, int v) const {
-    const auto faces = mesh.connectivity.faces_of(v);
-    return std::any_of(faces.begin(), faces.end(), [&](int f) {
-      return corner(mesh, f, v) != corner(mesh, *faces.begin(), v);
-    });
-  }
-
-  /// True if two faces do not agree about an end of their edge.
-  bool is_seam(const WorkingMesh& mesh, int f, int g, int a, int b) const {
-    return corner(mesh, f, a) != corner(mesh, g, a) || corner(mesh, f, b) != corner(mesh, g, b);
-  }
-
-  /// Before TriangleConnectivity::flip of an edge that is no seam.
-  void flip(const WorkingMesh& mesh, int f, int g, int a, int b) {
-    const int at_c = corner(mesh, f, mesh.connectivity.third_vertex(f, a, b));
-    const int at_d = corner(mesh, g, mesh.connectivity.third_vertex(g, a, b));
-    of_corner_[f][mesh.connectivity.corner(f, b)] = at_d;
-    of_corner_[g][mesh.connectivity.corner(g, a)] = at_c;
-  }
+  CornerValues<int>& values() { return of_corner_; }
+  const CornerValues<int>& values() const { return of_corner_; }
 
  private:
   /// Returns the new one's number.
@@ -130,7 +102,7 @@ class CornerCopies : public CollapseObserver {
           of_corner_[f][i] = copy;
   }
 
-  std::vector<Face> of_corner_;  // by face: the copies that its corners belong to
+  CornerValues<int> of_corner_;  // the copies that corners belong to
   std::vector<Face> at_start_;
   std::vector<int> host_;                      // by copy
   std::vector<std::vector<BlendStep>> steps_;  // by collapse

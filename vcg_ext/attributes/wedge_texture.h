@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <algorithm>
 #include <utility>
 #include <vector>
 
 #include "vcg_ext/attributes/charts.h"
+#include "vcg_ext/attributes/corner_values.h"
 #include "vcg_ext/collapse/collapse_observer.h"
 #include "vcg_ext/geometry/closest_point.h"
 #include "vcg_ext/mesh/wedges.h"
@@ -35,48 +35,21 @@ class WedgeTexture : public CollapseObserver, public RemovalObserver {
               const std::vector<NewFace>& faces) override {
     std::vector<FaceWedges> now(faces.size());
     for (std::size_t i = 0; i < faces.size(); ++i)
-      for (int k = 0; k < 3; ++k) now[i][k] = corner(mesh, faces[i].source[k], faces[i].corners[k]);
+      for (int k = 0; k < 3; ++k)
+        now[i][k] = wedges_.at(mesh, faces[i].source[k], faces[i].corners[k]);
     for (std::size_t i = 0; i < faces.size(); ++i) wedges_[faces[i].slot] = now[i];
   }
 
-  /// Each corner as in another face of its vertex.
-  void added(const WorkingMesh& mesh, int f) override {
-    for (int i = 0; i < 3; ++i) {
-      const int v = mesh.connectivity.face(f)[i];
-      for (int g : mesh.connectivity.faces_of(v))
-        if (g != f) wedges_[f][i] = corner(mesh, g, v);
-    }
-  }
+  void added(const WorkingMesh& mesh, int f) override { wedges_.add(mesh, f); }
 
-  void renumber(const Renumbering& numbers) override { numbers.faces(wedges_); }
+  void renumber(const Renumbering& numbers) override { wedges_.renumber(numbers); }
 
   const FaceWedges& of_face(int f) const { return wedges_[f]; }
 
   // --- refinement, once the collapses are done ---------------------------------------------------
 
-  /// True if a vertex has different coordinates in different faces.
-  bool on_seam(const WorkingMesh& mesh, int v) const {
-    const auto faces = mesh.connectivity.faces_of(v);
-    const auto differs = [&](int f) {
-      return !(corner(mesh, f, v) == corner(mesh, *faces.begin(), v));
-    };
-    return std::any_of(faces.begin(), faces.end(), differs);
-  }
-
-  /// True if two faces do not agree about an end of their edge.
-  bool is_seam(const WorkingMesh& mesh, int f, int g, int a, int b) const {
-    return !(corner(mesh, f, a) == corner(mesh, g, a)) ||
-           !(corner(mesh, f, b) == corner(mesh, g, b));
-  }
-
-  /// Before TriangleConnectivity::flip of an edge that is no seam.
-  void flip(const WorkingMesh& mesh, int f, int g, int a, int b) {
-    const int c = mesh.connectivity.third_vertex(f, a, b);
-    const int d = mesh.connectivity.third_vertex(g, a, b);
-    const WedgeCoordinate at_c = corner(mesh, f, c), at_d = corner(mesh, g, d);
-    wedges_[f][mesh.connectivity.corner(f, b)] = at_d;
-    wedges_[g][mesh.connectivity.corner(g, a)] = at_c;
-  }
+  CornerValues<WedgeCoordinate>& values() { return wedges_; }
+  const CornerValues<WedgeCoordinate>& values() const { return wedges_; }
 
   /// Before vertices that are on no seam go from the mesh's positions to others.
   void move(const WorkingMesh& mesh, const std::vector<Vector3>& now) {
@@ -86,16 +59,11 @@ class WedgeTexture : public CollapseObserver, public RemovalObserver {
       moved.push_back({v, nearest(mesh, mesh.connectivity.faces_of(v), now[v])});
     }
     for (const auto& [v, coordinate] : moved)
-      for (int f : mesh.connectivity.faces_of(v))
-        wedges_[f][mesh.connectivity.corner(f, v)] = coordinate;
+      for (int f : mesh.connectivity.faces_of(v)) wedges_.at(mesh, f, v) = coordinate;
   }
 
  private:
   using Charted = Chart<WedgeCoordinate>;
-
-  const WedgeCoordinate& corner(const WorkingMesh& mesh, int f, int v) const {
-    return wedges_[f][mesh.connectivity.corner(f, v)];
-  }
 
   /// Corners of a vertex that stays keep their bits.
   void move_corners(const WorkingMesh& mesh, const Charted& chart, const EdgeNeighborhood& around,
@@ -119,7 +87,7 @@ class WedgeTexture : public CollapseObserver, public RemovalObserver {
             wedges[0].page};
   }
 
-  std::vector<FaceWedges> wedges_;  // by face
+  CornerValues<WedgeCoordinate> wedges_;
 };
 
 }  // namespace curvdecim::detail

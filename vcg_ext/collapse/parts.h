@@ -245,10 +245,8 @@ class Parts : public CollapseObserver {
     const int point = tree_->nearest(p, is_other);
     if (point == PointTree::none) return HUGE_VAL;
     double least = HUGE_VAL;
-    for (int f : mesh_.connectivity.faces_of(standing(vertex_of_[point]))) {
-      const Triangle t = mesh_.triangle(f);
-      least = std::min(least, (at(t, closest_point(t, p)) - p).squaredNorm());
-    }
+    for (int f : mesh_.connectivity.faces_of(standing(vertex_of_[point])))
+      least = std::min(least, squared_distance(mesh_.triangle(f), p));
     return least;
   }
 

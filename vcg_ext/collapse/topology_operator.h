@@ -14,6 +14,7 @@
 #include "vcg_ext/collapse/surface_cut.h"
 #include "vcg_ext/guard/collapse_guards.h"
 #include "vcg_ext/mesh/tally.h"
+#include "vcg_ext/mesh/vertex_ring.h"
 
 namespace curvdecim::detail {
 
@@ -58,7 +59,8 @@ class TopologyOperator {
     for (int i = 0; i < cut.new_vertices(); ++i)
       hand_over(cut.path()[i], cut.right(i), (*vertices)[i], next_number++);
     close(cut, *vertices, *faces);
-    renew(cut.path(), *vertices);
+    for (int i = 0; i < cut.new_vertices(); ++i) renew((*vertices)[i], cut.path()[i]);
+    for (int v : cut.path()) renew(v, v);
     for (int f : *faces)
       for (CollapseObserver* observer : observers_) observer->added(mesh_, f);
     ++(cut.fills() ? tally.holes_closed : tally.handles_cut);
@@ -78,8 +80,8 @@ class TopologyOperator {
                                  mesh_.connectivity.faces_of(v).end());
     for (int i = 0; i < count; ++i)
       hand_over(v, of_sheet(faces, sheets, i + 1), (*copies)[i], next_number++);
-    renew(std::vector<int>(count, v), *copies);
-    renew(along, {});
+    for (int copy : *copies) renew(copy, v);
+    for (int u : joined({v}, along)) renew(u, u);
     ++tally.junctions_parted;
     for (int u : along) tally.note_size((mesh_.position[u] - mesh_.position[v]).norm());
     return joined(joined(along, {v}), *copies);
@@ -100,12 +102,11 @@ class TopologyOperator {
 
   /// The neighbours of v at edges of more than two faces, and others that are not manifold.
   std::vector<int> curve_neighbors(int v) const {
+    VertexRing ring;
+    gather_ring(mesh_, v, ring);
     std::vector<int> found;
-    for (int f : mesh_.connectivity.faces_of(v))
-      for (int u : mesh_.connectivity.face(f))
-        if (u != v && mesh_.kind[u] >= VertexKind::Curve) found.push_back(u);
-    std::sort(found.begin(), found.end());
-    found.erase(std::unique(found.begin(), found.end()), found.end());
+    for (const RingVertex& u : ring)
+      if (mesh_.kind[u.vertex] >= VertexKind::Curve) found.push_back(u.vertex);
     return found;
   }
 
@@ -138,12 +139,10 @@ class TopologyOperator {
     mesh_.connectivity.count(mesh_.connectivity.assign(f, face));
   }
 
-  /// copies: of the first vertices.
-  void renew(const std::vector<int>& vertices, const std::vector<int>& copies) {
-    for (int v : vertices) mesh_.kind[v] = classifier_.classify(v);
-    for (int v : copies) mesh_.kind[v] = classifier_.classify(v);
-    for (std::size_t i = 0; i < copies.size(); ++i) metric_.renew(copies[i], vertices[i]);
-    for (int v : vertices) metric_.renew(v, v);
+  /// source: what v is a copy of, or itself.
+  void renew(int v, int source) {
+    mesh_.kind[v] = classifier_.classify(v);
+    metric_.renew(v, source);
   }
 
   double longest_edge(const std::vector<int>& path) const {

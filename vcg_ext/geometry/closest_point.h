@@ -71,6 +71,11 @@ struct FacePoint {
   }
 };
 
+/// The squared distance between p and a triangle.
+inline double squared_distance(const Triangle& t, const Vector3& p) {
+  return (at(t, closest_point(t, p)) - p).squaredNorm();
+}
+
 /// The point of some faces nearest to x; of equals, that of the first face. Mesh: triangle(f).
 template <class Faces, class Mesh>
 FacePoint nearest_point(const Faces& faces, const Mesh& mesh, const Vector3& x) {

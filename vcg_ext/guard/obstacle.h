@@ -116,7 +116,7 @@ class SideOfLoop {
     double sum = 0.0;
     for (int f : faces_) {
       const Vector3 center = center_of(mesh_.triangle(f));
-      sum += mesh_.plane[f].area * (at(cap, closest_point(cap, center)) - center).squaredNorm();
+      sum += mesh_.plane[f].area * squared_distance(cap, center);
     }
     return sum;
   }

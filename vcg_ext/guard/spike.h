@@ -12,14 +12,11 @@
 namespace curvdecim::detail {
 
 /// The squared distance between x and the faces around the edge.
-inline double squared_distance(const WorkingMesh& mesh, const EdgeNeighborhood& around,
-                               const Vector3& x) {
+inline double squared_distance_around(const WorkingMesh& mesh, const EdgeNeighborhood& around,
+                                      const Vector3& x) {
   double least = HUGE_VAL;
   for (const std::vector<int>* faces : {&around.star(), &around.wings()})
-    for (int f : *faces) {
-      const Triangle t = mesh.triangle(f);
-      least = std::min(least, (at(t, closest_point(t, x)) - x).squaredNorm());
-    }
+    for (int f : *faces) least = std::min(least, squared_distance(mesh.triangle(f), x));
   return least;
 }
 
@@ -35,7 +32,7 @@ inline double spike_price(const WorkingMesh& mesh, const EdgeNeighborhood& aroun
   if (!((x - 0.5 * (a + b)).squaredNorm() > near * 0.25 * (b - a).squaredNorm())) return 0.0;
   double area = 0.0;
   for (const FacePlane& plane : after) area += plane.area;
-  return tent * area * squared_distance(mesh, around, x);
+  return tent * area * squared_distance_around(mesh, around, x);
 }
 
 }  // namespace curvdecim::detail

@@ -72,6 +72,7 @@ class WriteBack {
       for (int f : connectivity().faces_of(v)) {
         const int copy = copy_at(f, connectivity().corner(f, v));
         if (!seen[copy]) use(copy, v);
+        if (!carried_.copies) break;  // all corners are of the same
         seen[copy] = true;
       }
   }

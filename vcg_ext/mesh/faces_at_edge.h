@@ -39,15 +39,16 @@ class FacesAtEdge {
   /// number is odd, one is degenerate, or they do not take turns. Two need no angle.
   bool pair(const Vector3& a, const Vector3& b, Pairing pairing = Pairing::Material) {
     pairs_.clear();
-    if (pairing == Pairing::Flattest) pair_flattest(a, b);
-    return pairing >= Pairing::Flattest || pair_turns(a, b, pairing);
+    if (pairing == Pairing::Alone) return true;
+    if (pairing == Pairing::Flattest) return pair_flattest(a, b), true;
+    return pair_turns(a, b, pairing);
   }
 
   /// Flattest ones that are left over are in none.
   const std::vector<Pair>& pairs() const { return pairs_; }
 
  private:
-  /// Of a full turn, which is 4. Coincident faces that are cut differently differ by the rounding
+  /// An angle in turns of 4. Coincident faces that are cut differently differ by the rounding
   /// of their coordinates, which may be single.
   static constexpr double same_turn = 1e-4;
   /// The sine of an angle below which a face has no side to lie on.

@@ -40,7 +40,7 @@ struct Minimum {
 /// direction.
 inline constexpr double relative_pull = 1e-4;
 
-/// Of the edge: what keeps the volume to such a step keeps it to rounding.
+/// A step of this part of the edge keeps the volume to rounding already.
 inline constexpr double least_step = 1e-7;
 
 /// Minimum of the quadric, drawn towards the origin (the edge's midpoint) just strongly enough that

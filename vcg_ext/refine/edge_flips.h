@@ -68,7 +68,7 @@ class EdgeFlips {
       for (int i = 0; i < 2; ++i) {
         const double height = plane[i].normal.dot(p - triangle[i][0]);
         if (height * height >= least) continue;
-        least = std::min(least, (at(triangle[i], closest_point(triangle[i], p)) - p).squaredNorm());
+        least = std::min(least, squared_distance(triangle[i], p));
       }
       return least;
     }

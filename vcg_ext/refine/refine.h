@@ -88,8 +88,9 @@ class Refinement {
     if (!carried_.copies)
       return BlendStep::at(mesh_.vertex_origin[v], input_.connectivity.face(from.face),
                            from.weight);
-    return BlendStep::at(carried_.copies->corner(mesh_, *mesh_.connectivity.faces_of(v).begin(), v),
-                         carried_.copies->of_start_face(from.face), from.weight);
+    return BlendStep::at(
+        carried_.copies->values().at(mesh_, *mesh_.connectivity.faces_of(v).begin(), v),
+        carried_.copies->of_start_face(from.face), from.weight);
   }
 
   /// A border's samples against those of the surface: the border must not pull the surface along.
