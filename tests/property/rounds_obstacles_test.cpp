@@ -32,6 +32,23 @@ TEST(Hub, BesideALargeMeshIsDecimated) {
   for (int target : {9000, 2000}) expect_sound(both, to_faces(target));
 }
 
+/// An edge with a price came up while its hub rested, was queued with its price again, and so on.
+TEST(Hub, WithPricedEdgesIsNotAskedAboutForever) {
+  constexpr int patience = 1000;  // calls; a run that ends makes about ten
+  const Shape before = capped_cylinder(800, 1);
+  for (Scheduler scheduler : {Scheduler::Lazy, Scheduler::Eager}) {
+    EdgeCollapseParams params = to_faces(before.face_count() / 10);
+    params.preset = Preset::Custom, params.quadrics = Quadrics::Accumulated;
+    params.scheduler = scheduler;
+    BareMesh mesh;
+    fill(mesh, before);
+    int calls = 0;
+    const DecimationReport report =
+        decimate(mesh, params, [&](int, const char*) { return ++calls < patience; });
+    EXPECT_EQ(report.stopped_by, StopReason::Target);
+  }
+}
+
 /// Neighbours of one hub that were refused ask again in every round. Asked on several threads, time
 /// decided which of them found the hub at rest.
 TEST(Hub, GivesTheSameBitsOnAnyNumberOfThreads) {

@@ -30,7 +30,8 @@ namespace curvdecim::detail {
 template <class MetricType>
 class StrictSchedule {
  public:
-  /// eager: evaluate all edges around the merged vertex again. next_number: of the next collapse.
+  /// eager: evaluate all edges around the merged vertex again, but for a hub's. next_number: of the
+  /// next collapse.
   StrictSchedule(WorkingMesh& mesh, CollapseOperator<MetricType>& collapses,
                  HubRests<MetricType>& rests, const StopCriterion& stop, bool eager,
                  int next_number)
@@ -87,7 +88,7 @@ class StrictSchedule {
         queue_.set(edge.a, collapses_.cheapest(edge.a, scratch_));
         continue;
       }
-      const GuardAnswer answer = rests_.ask(edge, candidate->position, scratch_);
+      const GuardAnswer answer = ask(edge, *candidate);
       if (answer.refusal ||
           (answer.price > 0.0 && is_behind(edge, candidate->cost + answer.price))) {
         if (answer.refusal) ++tally.rejected[*answer.refusal];
@@ -131,6 +132,14 @@ class StrictSchedule {
     }
   }
 
+  /// An edge that was queued with a price was asked about before. It is asked again though its hub
+  /// may rest: turned away unseen it would be queued with its price forever.
+  GuardAnswer ask(Edge edge, const Candidate& candidate) {
+    const bool has_price = collapses_.priority(edge, candidate.cost) < queue_.top_priority();
+    return has_price ? collapses_.ask(edge, candidate.position, scratch_)
+                     : rests_.ask(edge, candidate.position, scratch_);
+  }
+
   /// True if the edge became costlier since it was queued, and is no longer the cheapest.
   bool is_behind(Edge edge, double cost) const {
     const Priority now = collapses_.priority(edge, cost);
@@ -150,16 +159,25 @@ class StrictSchedule {
     if (parts_) parts_->offer(done.keep);
   }
 
+  /// A hub has too many edges to evaluate them all at every collapse beside it: it is offered the
+  /// new one.
   void requeue_ring(int v) {
-    queue_.set(v, collapses_.cheapest(v, scratch_));
-    for (const RingVertex& u : ring_)
-      if (!is_passed_over(u.vertex)) queue_.set(u.vertex, collapses_.cheapest(u.vertex, scratch_));
+    if (!collapses_.is_hub(v)) queue_.set(v, collapses_.cheapest(v, scratch_));
+    for (const RingVertex& u : ring_) {
+      if (collapses_.is_hub(v) || collapses_.is_hub(u.vertex))
+        offer(v, u);
+      else if (!is_passed_over(u.vertex))
+        queue_.set(u.vertex, collapses_.cheapest(u.vertex, scratch_));
+    }
   }
 
   void offer_ring(int v) {
-    for (const RingVertex& u : ring_)
-      if (const int owner = std::min(u.vertex, v); !is_passed_over(owner))
-        queue_.offer(owner, collapses_.choice(v, u));
+    for (const RingVertex& u : ring_) offer(v, u);
+  }
+
+  void offer(int v, const RingVertex& neighbor) {
+    if (const int owner = std::min(neighbor.vertex, v); !is_passed_over(owner))
+      queue_.offer(owner, collapses_.choice(v, neighbor));
   }
 
   /// A hub at rest lets new edges go by.
