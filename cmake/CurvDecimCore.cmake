@@ -2,10 +2,12 @@
 # Targets for the header-only core:
 #   curvdecim_core      include directory, Eigen, threads and the flags every user of the core needs;
 #                       CurvDecim::core, as find_package gives it
-#   vcg_ext             the same with the newest vcglib, for tests and benchmarks
+#   CurvDecim::ply      where CURVDECIM_VCGLIB_DIR is given: what reading and writing PLY files takes
 #   curvdecim_warnings  the warnings our own sources are free of
 
-find_package(Eigen3 REQUIRED NO_MODULE)
+if(NOT TARGET Eigen3::Eigen)  # the project around this one may have brought it
+  find_package(Eigen3 REQUIRED NO_MODULE)
+endif()
 find_package(Threads REQUIRED)
 
 add_library(curvdecim_core INTERFACE)
@@ -18,9 +20,10 @@ target_compile_options(curvdecim_core INTERFACE -ffp-contract=off)
 target_compile_definitions(curvdecim_core INTERFACE EIGEN_DONT_VECTORIZE CURVDECIM_CONTRACTION_IS_OFF)
 target_link_libraries(curvdecim_core INTERFACE Eigen3::Eigen Threads::Threads)
 
-if(CURVDECIM_NEWEST_MESHLAB)
-  add_library(vcg_ext INTERFACE)
-  target_link_libraries(vcg_ext INTERFACE curvdecim_core meshlab-headers-${CURVDECIM_NEWEST_MESHLAB})
+include(${CMAKE_CURRENT_LIST_DIR}/CurvDecimVcglib.cmake)
+curvdecim_use_vcglib(curvdecim_core problem)
+if(problem)
+  message(FATAL_ERROR "${problem}")
 endif()
 
 add_library(curvdecim_warnings INTERFACE)

@@ -8,7 +8,7 @@ include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
 
 set(package_destination ${CMAKE_INSTALL_DATADIR}/cmake/CurvDecim)
-set(package_files ${PROJECT_BINARY_DIR}/package)
+set(package_files ${PROJECT_BINARY_DIR}/cmake-package)
 
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/vcg_ext DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT core
         FILES_MATCHING PATTERN "*.h")
@@ -25,4 +25,5 @@ configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/CurvDecimConfig.cmake.in
 write_basic_package_version_file(${package_files}/CurvDecimConfigVersion.cmake
                                  COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
 install(FILES ${package_files}/CurvDecimConfig.cmake ${package_files}/CurvDecimConfigVersion.cmake
+              ${CMAKE_CURRENT_LIST_DIR}/CurvDecimVcglib.cmake
         DESTINATION ${package_destination} COMPONENT core)

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Finds unpacked MeshLab sources and makes one target per version, meshlab-headers-<version>,
 # that carries the include directories of MeshLab and of the vcglib that belongs to it.
-# Sets CURVDECIM_NEWEST_MESHLAB to the newest version found, or to "".
+# Sets CURVDECIM_NEWEST_MESHLAB to the newest version found; vcg_ext is the core with its vcglib, for tests and
+# benchmarks.
 
 set(MESHLAB_SOURCE_DIR "" CACHE STRING
     "MeshLab checkout(s) with vcglib, separated by ';'; wins over build/meshlab/<version>")
@@ -56,3 +57,6 @@ if(NOT CURVDECIM_NEWEST_MESHLAB)
                       "or name a MeshLab checkout in MESHLAB_SOURCE_DIR: -DMESHLAB_SOURCE_DIR=<directory> "
                       "for cmake, the environment variable for scripts/ and pip.")
 endif()
+
+add_library(vcg_ext INTERFACE)
+target_link_libraries(vcg_ext INTERFACE curvdecim_core meshlab-headers-${CURVDECIM_NEWEST_MESHLAB})
