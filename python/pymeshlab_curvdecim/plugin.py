@@ -10,6 +10,7 @@ import pymeshlab
 PLUGIN_VARIABLE = "CURVDECIM_PLUGIN"
 PLUGIN_NAME = "libfilter_curvdecim.so"
 PARAMETERS_NAME = "parameters.json"
+PYMESHLAB_VERSION = "2025.7"  # the one that the plugin is for, as in pyproject.toml
 
 
 class PluginError(ImportError):
@@ -37,8 +38,19 @@ def parameters_file():
     return file
 
 
+def check_pymeshlab():
+    """An error where the installed PyMeshLab is another one than the plugin was made for."""
+    installed = metadata.version("pymeshlab")
+    if installed.split(".")[:2] != PYMESHLAB_VERSION.split("."):
+        raise PluginError(
+            f"CurvDecim needs PyMeshLab {PYMESHLAB_VERSION}, and {installed} is installed: "
+            f"pip install 'pymeshlab=={PYMESHLAB_VERSION}.*'"
+        )
+
+
 def load_plugin():
     """Loads the plugin into PyMeshLab, which refuses one built for another MeshLab."""
+    check_pymeshlab()
     file = plugin_file()
     try:
         pymeshlab.load_plugin(str(file))
