@@ -21,9 +21,9 @@ target_compile_definitions(curvdecim_core INTERFACE EIGEN_DONT_VECTORIZE CURVDEC
 target_link_libraries(curvdecim_core INTERFACE Eigen3::Eigen Threads::Threads)
 
 include(${CMAKE_CURRENT_LIST_DIR}/CurvDecimVcglib.cmake)
-curvdecim_use_vcglib(curvdecim_core problem)
-if(problem)
-  message(FATAL_ERROR "${problem}")
+curvdecim_use_vcglib(curvdecim_core _curvdecim_problem)
+if(_curvdecim_problem)
+  message(FATAL_ERROR "${_curvdecim_problem}")
 endif()
 
 add_library(curvdecim_warnings INTERFACE)
