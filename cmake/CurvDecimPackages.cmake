@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # What scripts/package makes of the plugins for desktop MeshLabs:
-#   component <host>        what the zip for the host has in it
-#   target debian-package   a Debian package for the MeshLab that this machine's distribution packages; only there
+#   component <host>               what the zip for the host has in it
+#   target debian-package-<host>   a Debian package; only for the MeshLab that this machine's distribution packages
 # The same bits in every folder and at any time, where SOURCE_DATE_EPOCH is set.
 
 set(files ${PROJECT_BINARY_DIR}/packaging)
@@ -52,7 +52,7 @@ beforehand what a setting protects. For MeshLab and meshlabserver.")
   cmake_path(RELATIVE_PATH folder BASE_DIRECTORY /usr)
   install(TARGETS plugin-${host} LIBRARY DESTINATION ${folder}/plugins COMPONENT debian EXCLUDE_FROM_ALL)
   include(CPack)
-  add_custom_target(debian-package
+  add_custom_target(debian-package-${host}
     COMMAND ${CMAKE_CPACK_COMMAND} -G DEB -B ${files}/debian
     DEPENDS plugin-${host}
     WORKING_DIRECTORY ${PROJECT_BINARY_DIR}
