@@ -17,7 +17,8 @@ from matplotlib.cm import ScalarMappable
 from matplotlib.colors import Normalize
 from matplotlib.figure import Figure
 from palette import BACKGROUND, FAINT, INK
-from picture import COLOR_MAP, Panel, View, draw
+from panels import Panel, View
+from picture import COLOR_MAP, draw
 from surface import Floats, Ints
 
 _INCHES_A_COLUMN, _INCHES_A_ROW, _DPI = 5.2, 5.6, 110

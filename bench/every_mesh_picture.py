@@ -23,7 +23,8 @@ from decimators import DEFAULT_PLUGIN, Decimator, curvdecim, meshlab
 from demo import Case, panels
 from meshes import REPOSITORY, write_mesh
 from models import Model, Result
-from picture import View, draw
+from panels import View
+from picture import draw
 from PIL import Image
 from rich.console import Console
 from rich.progress import track

@@ -8,14 +8,17 @@ import math
 import subprocess
 import sys
 from pathlib import Path
+from types import ModuleType
 
 import numpy as np
+import picture
 import pytest
+import sketch
 import tables
 from decimators import Decimator, meshlab, race
 from meshes import read_mesh, shipped, write_mesh
 from models import Model
-from picture import Panel, View, draw
+from panels import Panel, View
 from workers import FilterError
 
 COW = shipped("cow.obj")
@@ -93,14 +96,15 @@ def test_markdown_has_every_cell(tmp_path: Path) -> None:
     assert {"#Heading", "Anote.", "##Title", "|mesh|RMS|", "|cow|0.1|", "|bunny|0.2|"} <= set(lines)
 
 
-def test_the_picture_shows_each_panel(tmp_path: Path) -> None:
+@pytest.mark.parametrize("artist", [picture, sketch], ids=lambda module: module.__name__)
+def test_the_picture_shows_each_panel(tmp_path: Path, artist: ModuleType) -> None:
     """A mesh in the left panel only: ink on the left, background on the right."""
     from matplotlib.image import imread
 
     vertices, faces = read_mesh(COW)
     elsewhere = vertices + (0, 0, 100)
     panels = [Panel(vertices, faces, "", ""), Panel(elsewhere, faces, "", "")]
-    draw(tmp_path / "two.png", [(View((1.0, 0.0, 0.0)), panels)])
+    artist.draw(tmp_path / "two.png", [(View((1.0, 0.0, 0.0)), panels)])
     image = imread(tmp_path / "two.png")
     left, right = np.split(image, 2, axis=1)
     assert np.ptp(left) > 0.3

@@ -38,8 +38,8 @@ from error_picture import Shown, draw_errors
 from fidelity import Fidelity, FidelityJudge, share_below
 from meshes import REPOSITORY, shared_folder, shipped
 from models import Model, Result
+from panels import View
 from paper_options import paper_options
-from picture import View
 from workers import FilterError
 
 LIMITS = (0.1, 0.05)  # % of the diagonal

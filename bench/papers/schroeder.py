@@ -37,8 +37,9 @@ from decimators import Decimator, Outcome, curvdecim, race
 from judge import Figures
 from meshes import REPOSITORY, shared_folder, shipped, write_mesh
 from models import Model
+from panels import Panel, View
 from paper_options import paper_options
-from picture import Panel, View, draw
+from picture import draw
 from shape import Shape, shape_of
 from surface import Surface
 from workers import FilterError, ask
