@@ -49,6 +49,21 @@ TEST(Hub, WithPricedEdgesIsNotAskedAboutForever) {
   }
 }
 
+/// Each collapse summed the planes of a hub on the border anew, in the square of its faces: that
+/// took hours.
+TEST(Hub, OnTheBorderIsDecimated) { expect_sound(polygon_fan(20000), to_faces(10000)); }
+
+/// Edges whose cost had fallen were asked about while their hub rested. A question takes the hub's
+/// faces, or their square where there is a bound.
+TEST(Hub, RestsWhereCostsFall) {
+  constexpr int sides = 10000, few = 1000;
+  EdgeCollapseParams params = to_faces(sides / 2);
+  params.max_error = 0.05;
+  const DecimationReport report = decimated(rough_cone(sides), params).report;
+  EXPECT_GT(report.rejected[Rejection::HubAtRest], few);
+  EXPECT_LT(report.rejected[Rejection::NormalFlip], few);
+}
+
 /// Neighbours of one hub that were refused ask again in every round. Asked on several threads, time
 /// decided which of them found the hub at rest.
 TEST(Hub, GivesTheSameBitsOnAnyNumberOfThreads) {

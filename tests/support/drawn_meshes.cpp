@@ -71,6 +71,15 @@ Shape fan(int blades) {
   return shape;
 }
 
+Shape polygon_fan(int corners) {
+  Shape shape;
+  for (int i = 0; i < corners; ++i) {
+    shape.vertices.push_back(on_circle(double(i) / corners, 1.0, 0.0));
+    if (i > 1) shape.faces.push_back({0, i - 1, i});
+  }
+  return shape;
+}
+
 Shape bowtie() {
   return {{{0, 0, 0}, {1, -0.5, 0}, {1, 0.5, 0}, {-1, 0.5, 0}, {-1, -0.5, 0}},
           {{0, 1, 2}, {0, 3, 4}}};
@@ -226,6 +235,16 @@ Shape double_cone(int sides) {
   for (int f = 0; f < sides; ++f)
     shape.faces.push_back({shape.vertex_count() - 1, shape.faces[f][2], shape.faces[f][1]});
   return shape;
+}
+
+Shape rough_cone(int sides) {
+  std::minstd_rand random(sides);
+  std::uniform_real_distribution<double> radius(0.95, 1.05), height(-0.05, 0.05);
+  Shape cone = fan(sides);
+  cone.vertices[0].z() = 1.0;
+  for (int v = 1; v <= sides; ++v)
+    cone.vertices[v] = radius(random) * cone.vertices[v] + Point(0, 0, height(random));
+  return cone;
 }
 
 Shape rough_cones(int sides, int count) {

@@ -15,6 +15,7 @@ Shape tetrahedron();
 Shape octahedron();
 Shape cube();                      ///< [0, 1]^3, 12 faces
 Shape fan(int blades);             ///< closed around vertex 0, radius 1
+Shape polygon_fan(int corners);    ///< a flat polygon, all faces at vertex 0
 Shape bowtie();                    ///< two triangles that share vertex 0
 Shape book(int pages, int cells);  ///< sheets that meet in one curve: vertices 0..cells along z
 Shape touching_spheres();          ///< two closed parts that share vertex 0
@@ -31,6 +32,7 @@ Shape bumpy_sphere(int subdivisions);
 Shape torus(int around, int across);         ///< radii 1 and 0.4
 Shape open_cylinder(int around, int along);  ///< radius 1, height 2
 Shape capped_cylinder(int around, int along);
+Shape rough_cone(int sides);   ///< open, its rim rough; the tip, vertex 0, is a hub
 Shape double_cone(int sides);  ///< two cones on one rim; the tips are hubs
 /// Double cones side by side, with rough rims: many edges of their hubs are refused.
 Shape rough_cones(int sides, int count);

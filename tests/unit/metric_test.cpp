@@ -245,6 +245,20 @@ TEST(QuadricMetric, MemorylessIsOfTheCurrentMeshAndATenthOfTheInput) {
   }
 }
 
+TEST(QuadricMetric, MemorylessFollowsTheBorder) {
+  WorkingMesh mesh = working_mesh(saddle(6));
+  const EdgeCollapseParams params = custom(Quadrics::Memoryless);
+  QuadricMetric metric = quadric_metric(mesh, params), of_input = metric;
+  metric.initialize(Parallel(1)), of_input.initialize(Parallel(1));
+  for (Edge edge : {Edge{2, 3}, Edge{8, 9}, Edge{7, 14}})
+    collapse(mesh, edge, mesh.position[edge.b] + Vector3(0.01, 0.02, 0.05), metric);
+  const WorkingMesh now = working_mesh(shape_of(mesh));
+  QuadricMetric of_now = quadric_metric(now, params);
+  of_now.initialize(Parallel(1));
+  for (int v : {0, 1, 4, 10, 15, 16, 21})  // none was merged
+    EXPECT_NEAR(1.1 * metric.weight(v), of_now.weight(v) + 0.1 * of_input.weight(v), 1e-12) << v;
+}
+
 /// Squared distances to the planes of the faces around v, by area.
 double area_times_distance2(const WorkingMesh& mesh, int v, const Vector3& x) {
   double sum = 0.0;

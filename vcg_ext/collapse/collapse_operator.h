@@ -28,8 +28,6 @@ class CollapseOperator {
   static_assert(require_metric<MetricType>());
 
  public:
-  static constexpr int hub = 64;  ///< a valence well above those of meshes made for any purpose
-
   /// Reused from edge to edge; every thread has its own, on cache lines of its own.
   struct alignas(128) Scratch {
     std::vector<int> neighbors;  // of the vertex last estimated for, that may collapse with it
@@ -56,7 +54,7 @@ class CollapseOperator {
   }
 
   int valence(int v) const { return mesh_.connectivity.faces_of(v).size(); }
-  bool is_hub(int v) const { return valence(v) > hub; }
+  bool is_hub(int v) const { return mesh_.connectivity.is_hub(v); }
 
   /// The pairs are contracted like edges; only one collapse at a time is possible then.
   void add_pairs(VertexPairs pairs) { pairs_ = std::move(pairs); }

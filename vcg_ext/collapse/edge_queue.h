@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "vcg_ext/mesh/edge_neighborhood.h"
@@ -16,6 +17,7 @@ struct EdgeChoice {
 
   Priority priority;
   int partner = none;
+  bool has_price = false;  ///< beside its cost: it was asked about, and is not free
 
   bool exists() const { return partner != none; }
   bool operator<(const EdgeChoice& o) const {
@@ -53,10 +55,12 @@ class EdgeChoices {
 /// vertex instead of one an edge makes the heap a third as large and most updates free.
 class EdgeQueue {
  public:
-  explicit EdgeQueue(int vertices) : heap_(vertices), partner_(vertices, EdgeChoice::none) {}
+  explicit EdgeQueue(int vertices)
+      : heap_(vertices), partner_(vertices, EdgeChoice::none), has_price_(vertices, 0) {}
 
   bool empty() const { return heap_.empty(); }
   Edge top() const { return {heap_.top().index, partner_[heap_.top().index]}; }
+  bool top_has_price() const { return has_price_[heap_.top().index] != 0; }
   Priority top_priority() const { return heap_.top().key; }
   Priority second_priority() const { return heap_.second_key(); }
 
@@ -64,13 +68,14 @@ class EdgeQueue {
 
   EdgeChoice of(int owner) const {
     if (!contains(owner)) return {};
-    return {heap_.entry(owner).key, partner_[owner]};
+    return {heap_.entry(owner).key, partner_[owner], has_price_[owner] != 0};
   }
 
   /// No edge: the owner leaves the queue.
   void set(int owner, const EdgeChoice& choice) {
     if (!choice.exists()) return heap_.remove(owner);
     partner_[owner] = choice.partner;
+    has_price_[owner] = choice.has_price;
     heap_.set(owner, choice.priority);
   }
 
@@ -83,7 +88,8 @@ class EdgeQueue {
 
  private:
   IndexedHeap<Priority> heap_;
-  std::vector<int> partner_;
+  std::vector<int> partner_;             // by vertex
+  std::vector<std::uint8_t> has_price_;  // by vertex
 };
 
 }  // namespace curvdecim::detail

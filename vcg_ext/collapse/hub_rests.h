@@ -40,7 +40,7 @@ class HubRests {
   EdgeChoice cheapest_possible(int v, Scratch& scratch) {
     collapses_.gather_options(v, scratch);
     std::sort(scratch.options.begin(), scratch.options.end());
-    if (scratch.options.size() > Operator::hub) scratch.options.resize(Operator::hub);
+    if (scratch.options.size() > most_asked) scratch.options.resize(most_asked);
     EdgeChoice best;
     for (const EdgeChoice& option : scratch.options) {
       if (best < option) break;
@@ -48,8 +48,8 @@ class HubRests {
       const auto candidate = collapses_.evaluate(edge);
       const GuardAnswer answer = ask(edge, candidate->position, scratch);
       if (!answer.refusal)
-        best = std::min(
-            best, {collapses_.priority(edge, candidate->cost + answer.price), option.partner});
+        best = std::min(best, {collapses_.priority(edge, candidate->cost + answer.price),
+                               option.partner, answer.price > 0.0});
     }
     return best;
   }
@@ -75,6 +75,7 @@ class HubRests {
   void renumber(const Renumbering& numbers) { numbers.vertices(left_); }
 
  private:
+  static constexpr int most_asked = TriangleConnectivity::hub;  // edges of a vertex in a row
   static constexpr int part = 8;  // a refused hub is asked again after this part of it
 
   void send_to_rest(int v) {

@@ -47,6 +47,8 @@ class ErrorBound {
     const Vector3 &a = mesh.position[around.edge().a], &b = mesh.position[around.edge().b];
     const double linear =
         std::max((a - x).norm(), (b - x).norm());  // a and b go to x, the rest follows
+    if (mesh.connectivity.is_hub(around.edge().a) || mesh.connectivity.is_hub(around.edge().b))
+      return linear;  // to look closer takes the square of the faces
     Patch after;
     for (int f : around.star()) after.push_back(triangle_after(mesh, f, around.edge(), x));
     const double along =

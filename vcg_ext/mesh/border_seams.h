@@ -143,11 +143,8 @@ class BorderSeams {
   // --- seams ------------------------------------------------------------------------------------
 
   bool is_border(int a, int b) const {
-    const TriangleConnectivity& connectivity = mesh_.connectivity;
     if (site_[a] == none || site_[b] == none || site_[a] == site_[b]) return false;
-    return connectivity.faces_of(a).size() < connectivity.faces_of(b).size()
-               ? is_boundary_edge(connectivity, a, b)
-               : is_boundary_edge(connectivity, b, a);
+    return is_boundary_edge(mesh_.connectivity, a, b);
   }
 
   void find_seams() {

@@ -102,6 +102,10 @@ class TriangleConnectivity {
     return face[0] + face[1] + face[2] - a - b;
   }
 
+  /// A vertex of very many faces: of more than those of meshes made for any purpose have.
+  static constexpr int hub = 64;
+  bool is_hub(int v) const { return faces_of(v).size() > hub; }
+
   bool has_edge(int a, int b) const {
     if (faces_of(a).size() > faces_of(b).size()) std::swap(a, b);
     for (int f : faces_of(a))
@@ -111,6 +115,7 @@ class TriangleConnectivity {
 
   /// The face with these three corners, or -1.
   int find_face(int a, int b, int c) const {
+    if (faces_of(a).size() > faces_of(b).size()) std::swap(a, b);
     for (int f : faces_of(a))
       if (face_has(f, b) && face_has(f, c)) return f;
     return -1;
@@ -118,13 +123,16 @@ class TriangleConnectivity {
 
   /// Faces at the edge ab.
   int edge_valence(int a, int b) const {
+    if (faces_of(a).size() > faces_of(b).size()) std::swap(a, b);
     int faces = 0;
     for (int f : faces_of(a)) faces += face_has(f, b);
     return faces;
   }
 
-  /// Another face at the edge ab of f, or -1; of several the first in a's list.
+  /// Another face at the edge ab of f, or -1; of several the first in a's list, or b's beside a
+  /// hub.
   int face_across(int f, int a, int b) const {
+    if (is_hub(a)) std::swap(a, b);
     for (int g : faces_of(a))
       if (g != f && face_has(g, b)) return g;
     return -1;
@@ -250,8 +258,19 @@ class TriangleConnectivity {
 
   void erase(List& list, int f) {
     int* const first = pool_.data() + list.begin;
-    *std::find(first, first + list.size, f) = first[list.size - 1];
+    *find(first, first + list.size, f) = first[list.size - 1];
     --list.size;
+  }
+
+  /// Where f stands. A hub's list is long: the processor compares a block of it at once.
+  static int* find(int* first, int* last, int f) {
+    constexpr int block = 16;
+    for (; last - first > block; first += block) {
+      int found = 0;
+      for (int i = 0; i < block; ++i) found |= first[i] == f;
+      if (found != 0) break;
+    }
+    return std::find(first, last, f);
   }
 
   static void require(bool holds, const char* flaw) {

@@ -38,6 +38,12 @@ struct WorkingMesh {
   }
 };
 
+/// True for an edge of one face. The kinds of its ends rule out most others.
+inline bool is_on_border(const WorkingMesh& mesh, int a, int b) {
+  return mesh.kind[a] != VertexKind::Interior && mesh.kind[b] != VertexKind::Interior &&
+         is_boundary_edge(mesh.connectivity, a, b);
+}
+
 /// Sum of the area vectors of the faces around v: the direction they face together, and how the
 /// volume below them grows with v.
 inline Vector3 area_vector_around(const WorkingMesh& mesh, int v) {

@@ -118,7 +118,7 @@ class QuadricMetric {
     sum_[keep] = Carried(sum_[keep].quadric().with_origin_moved(now - keep_was) +
                          sum_[gone].quadric().with_origin_moved(now - gone_was));
     if (!memoryless_) return;
-    if (!is_inside(keep)) return see_current(around, keep);
+    if (!is_inside(keep)) return see_current(around);
     for (int f : around.star()) sum_[keep].a += matrix(f);
   }
 
@@ -180,12 +180,8 @@ class QuadricMetric {
     return sum;
   }
 
-  /// What a memoryless vertex has for the mesh as it is. All planes pass through it, so that they
-  /// add to its matrix only.
-  Symmetric3 current_matrix(int v) const { return matrix_around(v) + boundary(v); }
-
   Symmetric3 boundary(int v) const {
-    if (mesh_.kind[v] != VertexKind::Boundary) return {};
+    if (mesh_.kind[v] == VertexKind::Interior) return {};
     return boundary_matrix(mesh_, v, plan_.plane_weight) * plan_.boundary_weight;
   }
 
@@ -195,34 +191,38 @@ class QuadricMetric {
   }
 
   void forget_current(const EdgeNeighborhood& around) {
-    const auto [a, b] = around.edge();
-    sum_[a].a -= current_matrix(a), sum_[b].a -= current_matrix(b);
-    for (int v : ring_of(around)) sum_[v].a -= current_matrix(v);
+    for (const std::vector<int>* faces : {&around.wings(), &around.star()})
+      for (int f : *faces) add_current(f, -1.0);
   }
 
-  void see_current(const EdgeNeighborhood& around, int keep) {
-    sum_[keep].a += current_matrix(keep);
-    for (int v : ring_of(around)) sum_[v].a += current_matrix(v);
-  }
-
-  /// The neighbours of the edge's ends, before the collapse as after it.
-  std::vector<int> ring_of(const EdgeNeighborhood& around) const {
-    std::vector<int> ring = around.thirds();
+  void see_current(const EdgeNeighborhood& around) {
     for (int f : around.star())
-      for (int v : mesh_.connectivity.face(f))
-        if (v != TriangleConnectivity::dead && v != around.edge().a && v != around.edge().b)
-          ring.push_back(v);
-    std::sort(ring.begin(), ring.end());
-    ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
-    return ring;
+      if (mesh_.connectivity.alive(f)) add_current(f, 1.0);
   }
 
-  /// None where neither volume nor area is defined: on curves, and between two borders.
+  /// What the corners of face f have for the mesh as it is, its plane and those of its border, with
+  /// this sign. All planes pass through the corners, so that they add to their matrices only.
+  void add_current(int f, double sign) {
+    const Symmetric3 plane = matrix(f) * sign;
+    const Face& face = mesh_.connectivity.face(f);
+    for (int i = 0; i < 3; ++i) {
+      const int a = face[i], b = face[(i + 1) % 3];
+      sum_[a].a += plane;
+      if (!is_on_border(mesh_, a, b)) continue;
+      const Symmetric3 border =
+          edge_plane_matrix(mesh_, f, a, b, plan_.plane_weight) * (sign * plan_.boundary_weight);
+      sum_[a].a += border, sum_[b].a += border;
+    }
+  }
+
+  /// None where neither volume nor area is defined: on curves, and between two borders. None at a
+  /// hub, whose volume all of its faces would tell for each of its edges.
   std::optional<KeepingPlane> keeping_plane(Edge edge, const Vector3& half, Allowed allowed,
                                             const Vector3& wings) const {
     if (!memoryless_ || allowed != Allowed::Anywhere || plan_.placement != Placement::Optimal)
       return std::nullopt;
     const VertexKind a = mesh_.kind[edge.a], b = mesh_.kind[edge.b];
+    if (mesh_.connectivity.is_hub(edge.a) || mesh_.connectivity.is_hub(edge.b)) return std::nullopt;
     if (a == VertexKind::Interior && b == a) return volume_plane(edge, half, wings);
     if (a == VertexKind::Boundary && b == a) return border_area_plane(mesh_, edge, half, wings);
     return std::nullopt;

@@ -16,9 +16,7 @@ inline std::vector<Edge> border_edges(const WorkingMesh& mesh) {
   for (int f = 0; f < mesh.connectivity.face_slots(); ++f)
     for (int i = 0; i < 3 && mesh.connectivity.alive(f); ++i) {
       const int a = mesh.connectivity.face(f)[i], b = mesh.connectivity.face(f)[(i + 1) % 3];
-      if (mesh.kind[a] != VertexKind::Interior && mesh.kind[b] != VertexKind::Interior &&
-          is_boundary_edge(mesh.connectivity, a, b))
-        edges.push_back({std::min(a, b), std::max(a, b)});
+      if (is_on_border(mesh, a, b)) edges.push_back({std::min(a, b), std::max(a, b)});
     }
   return edges;
 }

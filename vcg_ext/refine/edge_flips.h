@@ -122,6 +122,7 @@ class EdgeFlips {
   /// The one other face at the edge, if it runs the other way along it, or -1.
   int face_across(int f, int a, int b) const {
     const TriangleConnectivity& connectivity = mesh_.connectivity;
+    if (connectivity.is_hub(a)) std::swap(a, b);
     int across = -1;
     for (int g : connectivity.faces_of(a)) {
       if (g == f || !connectivity.face_has(g, b)) continue;

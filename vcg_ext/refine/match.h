@@ -49,6 +49,16 @@ inline bool touches(const TriangleConnectivity& connectivity, int f, const Face&
   return true;
 }
 
+/// A corner of the face that all faces have that touch the point with these weights on it; no hub
+/// where there is another.
+inline int touched_corner(const TriangleConnectivity& connectivity, const Face& face,
+                          const Barycentric& weight) {
+  int corner = -1;
+  for (int i = 0; i < 3; ++i)
+    if (weight[i] != 0.0 && (corner < 0 || connectivity.is_hub(corner))) corner = face[i];
+  return corner;
+}
+
 /// The point nearest to p that a walk from `start` ends at, from face to face across the edge or
 /// the corner that is the nearest so far, while the distance falls: no other face that touches it
 /// is nearer. Only over faces whose normal `accept` takes; not found where `start` is none.
@@ -62,8 +72,7 @@ SurfacePoint walk_to_nearest(const Surface& surface, const Vector3& p, int start
     from = best.face;
     const Face& face = surface.connectivity.face(from);
     const Barycentric weight = best.weight;
-    const int corner = weight[0] != 0.0 ? face[0] : weight[1] != 0.0 ? face[1] : face[2];
-    for (int f : surface.connectivity.faces_of(corner))
+    for (int f : surface.connectivity.faces_of(touched_corner(surface.connectivity, face, weight)))
       if (f != from && touches(surface.connectivity, f, face, weight))
         look_at(surface, f, p, accept, best);
   }
