@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <string>
+#include <vector>
 
 #include "support/decimation.h"
 #include "support/drawn_meshes.h"
 #include "support/expectations.h"
 #include "support/mesh_group.h"
 #include "support/properties.h"
+#include "support/rich_mesh.h"
 
 namespace curvdecim::test {
 namespace {
@@ -105,8 +107,8 @@ TEST(GivingWay, PartsSheetsThatMeetWhereTheyAreInTheWay) {
   for (int pages : {3, 4, 5}) {
     SCOPED_TRACE(pages);
     const Shape before = book(pages, 12);
-    const auto [after, report] = decimated(before, to_faces(pages));
-    EXPECT_LE(after.face_count(), pages);
+    const auto [after, report] = decimated(before, to_faces(pages - 1));  // they need not meet
+    EXPECT_LE(after.face_count(), pages - 1);
     EXPECT_GT(report.junctions_parted, 0);
     EXPECT_EQ(report.stopped_by, StopReason::Target);
     EXPECT_TRUE(is_said(report, "junction"));
@@ -121,6 +123,79 @@ TEST(GivingWay, KeepsACurveWhileItIsWorthIt) {
   EXPECT_EQ(report.junctions_parted, 0);
   EXPECT_GT(topology(after).nonmanifold_edges, 0);
   EXPECT_EQ(decimated(before, keeping(1)).report.junctions_parted, 0);
+}
+
+// --- nothing is gone yet, so that no number is free
+// -----------------------------------------------
+
+/// So many vertices in the unit cube, no four in a plane.
+Shape vertices_on_a_curve(int count) {
+  Shape shape;
+  for (int i = 0; i < count; ++i) {
+    const double t = double(i) / (count - 1);
+    shape.vertices.push_back({t, t * t, t * t * t});
+  }
+  return shape;
+}
+
+/// All triangles of so many vertices.
+Shape complete(int vertices) {
+  Shape shape = vertices_on_a_curve(vertices);
+  for (int a = 0; a < vertices; ++a)
+    for (int b = a + 1; b < vertices; ++b)
+      for (int c = b + 1; c < vertices; ++c) shape.faces.push_back({a, b, c});
+  return shape;
+}
+
+/// The torus with the fewest vertices: every two are neighbours.
+Shape torus_of_seven() {
+  Shape shape = vertices_on_a_curve(7);
+  for (int i = 0; i < 7; ++i) {
+    shape.faces.push_back({i, (i + 1) % 7, (i + 3) % 7});
+    shape.faces.push_back({i, (i + 3) % 7, (i + 2) % 7});
+  }
+  return shape;
+}
+
+std::vector<Shape> without_free_numbers() {
+  return {torus_of_seven(), complete(5), complete(6), complete(10), book(64, 1), book(65, 1)};
+}
+
+TEST(GivingWay, NeedsNothingToBeGoneBefore) {
+  for (const Variant& variant : all_variants())
+    for (const Shape& before : without_free_numbers()) {
+      SCOPED_TRACE(variant.name + ", " + std::to_string(before.face_count()) + " faces");
+      const auto [after, report] = decimated(before, variant.with_target(4));
+      EXPECT_LE(after.face_count(), 4);
+      EXPECT_GT(after.face_count(), 0);
+      EXPECT_TRUE(all_finite(after));
+    }
+}
+
+TEST(GivingWay, TakesNoPartWhereItCanPartSheets) {
+  Shape many;
+  for (int i = 0; i < 200; ++i)
+    many = side_by_side({many, translated(complete(5), {2.0 * i, 0.0, 0.0})});
+  const auto [after, report] = decimated(many, to_faces(many.face_count() / 2));
+  EXPECT_EQ(after.face_count(), many.face_count() / 2);
+  EXPECT_EQ(report.parts_removed, 0);
+}
+
+/// Vertices stay in their places, and what they carry is affine in the place.
+TEST(GivingWay, GivesNewVerticesAndFacesWhatTheOldOnesCarry) {
+  EdgeCollapseParams params;
+  params.preset = Preset::Custom, params.placement = Placement::HalfEdge;
+  for (const Shape& before : {torus_of_seven(), complete(6), complete(10)}) {
+    RichMesh mesh;
+    fill_with_attributes(mesh, before);
+    params.target_faces = before.face_count() / 2;
+    const DecimationReport report = decimate(mesh, params);
+    EXPECT_EQ(report.stopped_by, StopReason::Target);
+    EXPECT_GT(report.junctions_parted + report.handles_cut, 0);
+    for (const RichVertex& v : mesh.vert) EXPECT_NEAR(v.cQ(), affine(v.cP()), 1e-6);
+    for (const RichFace& face : mesh.face)
+      for (int i = 0; i < 3; ++i) EXPECT_NEAR(face.cWT(i).u(), face.cP(i)[0], 1e-6);
+  }
 }
 
 TEST(GivingWay, IsOffWithABound) {

@@ -49,6 +49,15 @@ TEST(EndOfCollapse, NamesTheTopologyThatIsKept) {
   EXPECT_FALSE(is_said(decimated(torus(24, 12), params).report, above_target));
 }
 
+TEST(EndOfCollapse, NamesTheSheetsThatMeet) {
+  EdgeCollapseParams params = to_faces(1);
+  params.preserve_topology = true;
+  const DecimationReport report = decimated(book(3, 1), params).report;
+  EXPECT_TRUE(is_said(report, "vertices stay because of sheets or parts that meet there"))
+      << told(report);
+  EXPECT_TRUE(is_said(report, "switch off Preserve topology")) << told(report);
+}
+
 TEST(EndOfCollapse, SaysThatNothingGivesWayFurther) {
   const DecimationReport report = decimated(large_and_small_sphere(), to_the_end()).report;
   ASSERT_EQ(report.stopped_by, StopReason::NothingLeft);

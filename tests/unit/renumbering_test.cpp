@@ -58,5 +58,21 @@ TEST(Renumbering, RemembersTheFirstNumbersWhenRepeated) {
   EXPECT_EQ(mesh.vertex_origin, (std::vector<int>{0, 3, 4, 5}));
 }
 
+TEST(Renumbering, MakesRoomBehindWhatIsThere) {
+  WorkingMesh mesh = collapsed();
+  mesh.vertex_origins = 6, mesh.face_origins = 10;
+  const TriangleConnectivity before = mesh.connectivity;
+  mesh.renumber(Renumbering(before, 2, 1));
+  EXPECT_EQ(mesh.vertex_origin, (std::vector<int>{0, 1, 2, 3, 4, 5, 6, 7}));
+  EXPECT_EQ(mesh.face_origin, (std::vector<int>{0, 1, 2, 3, 4, 5, 6, 7, 10}));
+  EXPECT_EQ(mesh.vertex_origins, 8);
+  EXPECT_EQ(mesh.face_origins, 11);
+  EXPECT_EQ(mesh.connectivity.vertex_slots(), 8);
+  EXPECT_FALSE(mesh.connectivity.alive(8));
+  for (int f = 0; f < before.face_slots(); ++f)
+    EXPECT_EQ(mesh.connectivity.face(f), before.face(f));
+  mesh.connectivity.validate();
+}
+
 }  // namespace
 }  // namespace curvdecim::test

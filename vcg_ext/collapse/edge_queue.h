@@ -58,6 +58,12 @@ class EdgeQueue {
   explicit EdgeQueue(int vertices)
       : heap_(vertices), partner_(vertices, EdgeChoice::none), has_price_(vertices, 0) {}
 
+  /// Room for so many vertices in all.
+  void extend(int vertices) {
+    heap_.extend(vertices);
+    partner_.resize(vertices, EdgeChoice::none), has_price_.resize(vertices, 0);
+  }
+
   bool empty() const { return heap_.empty(); }
   Edge top() const { return {heap_.top().index, partner_[heap_.top().index]}; }
   bool top_has_price() const { return has_price_[heap_.top().index] != 0; }

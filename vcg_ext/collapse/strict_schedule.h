@@ -117,7 +117,25 @@ class StrictSchedule {
     return true;
   }
 
+  /// What gives way takes numbers of vertices and faces that are gone. Where too few are, as at the
+  /// start, there will be more.
+  void make_room(const Obstacle& obstacle) {
+    constexpr int cut = 3, part = 50;  // vertices or faces of a cut; one in so many is added
+    const bool is_junction = obstacle.kind == Obstacle::Kind::Junction;
+    const int copies = is_junction ? collapses_.valence(obstacle.vertex) : cut;
+    const TriangleConnectivity& all = mesh_.connectivity;
+    if (all.vertex_slots() - all.vertex_count() >= copies &&
+        all.face_slots() - all.face_count() >= cut)
+      return;
+    const Renumbering numbers(all, copies + all.vertex_slots() / part,
+                              cut + all.face_slots() / part);
+    collapses_.renumber(numbers), rests_.renumber(numbers);
+    queue_.extend(all.vertex_slots());
+    parts_->offer_all();
+  }
+
   void clear(Edge edge, const Obstacle& obstacle, Tally& tally) {
+    make_room(obstacle);
     const std::vector<int> touched = collapses_.clear(edge, obstacle, next_number_, tally);
     if (touched.empty()) {
       ++tally.rejected[Rejection::LinkCondition];

@@ -149,6 +149,7 @@ class WorkingCopyReader {
     parallel_.for_each(static_cast<int>(face_of_.size()),
                        [&](int f) { copy_.selected[f] = mesh_.face[face_of_[f]].IsS(); });
     mesh.face_origin = std::move(face_of_);
+    mesh.face_origins = static_cast<int>(mesh_.face.size());
   }
 
   const MeshType& mesh_;

@@ -35,6 +35,7 @@ inline void connect(WorkingMesh& mesh, std::vector<Face> faces, const Parallel& 
   const int count = static_cast<int>(mesh.position.size());
   mesh.connectivity = TriangleConnectivity(std::move(faces), count);
   mesh.kind = classify_vertices(mesh.connectivity, parallel);
+  mesh.vertex_origins = count;
   mesh.vertex_origin.resize(count);
   std::iota(mesh.vertex_origin.begin(), mesh.vertex_origin.end(), 0);
 }

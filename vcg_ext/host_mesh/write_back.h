@@ -25,19 +25,20 @@ class WriteBack {
       : mesh_(mesh),
         copy_(copy),
         carried_(carried),
+        used_before_(used_vertices()),
         moved_(copy.mesh.position.size(), false),
         place_of_(hosts().size(), none) {}
 
   void run() {
+    add_faces();
     place_vertices();
     blend_attributes();
     for (const auto [to, from] : carried_.new_faces.copies())
       mesh_.face[to].ImportData(mesh_.face[from]);
     if (carried_.wedges) write_all_wedges(*carried_.wedges);
     move_vertices();
-    const std::vector<bool> used_before = used_vertices();
     connect_faces();
-    delete_vertices(used_before);
+    delete_vertices();
     compact_mesh(mesh_);
   }
 
@@ -75,6 +76,12 @@ class WriteBack {
         if (!carried_.copies) break;  // all corners are of the same
         seen[copy] = true;
       }
+  }
+
+  /// Those that the run was given beyond the host's; what they carry comes from others.
+  void add_faces() {
+    const std::size_t more = copy_.mesh.face_origins - mesh_.face.size();
+    if (more > 0) vcg::tri::Allocator<MeshType>::AddFaces(mesh_, more);
   }
 
   /// The first of those that are left of a host's vertex goes there, and each of the others to a
@@ -137,10 +144,10 @@ class WriteBack {
   }
 
   /// Deletes vertices that lost their last face, be it by a collapse or by a repair.
-  void delete_vertices(const std::vector<bool>& used_before) {
+  void delete_vertices() {
     const std::vector<bool> used = used_vertices();
-    for (std::size_t v = 0; v < used.size(); ++v)
-      if (used_before[v] && !used[v])
+    for (std::size_t v = 0; v < used_before_.size(); ++v)
+      if (used_before_[v] && !used[v])
         vcg::tri::Allocator<MeshType>::DeleteVertex(mesh_, mesh_.vert[v]);
   }
 
@@ -180,14 +187,16 @@ class WriteBack {
   MeshType& mesh_;
   const WorkingCopy& copy_;
   const Carried& carried_;
-  std::vector<bool> moved_;    // by working vertex
-  std::vector<int> place_of_;  // by copy: where in the host's mesh it goes
+  const std::vector<bool> used_before_;  // by the host's vertex
+  std::vector<bool> moved_;              // by working vertex
+  std::vector<int> place_of_;            // by copy: where in the host's mesh it goes
 };
 
 /// Makes the host's mesh what the run made of its working copy.
 template <class MeshType>
-void write_back(MeshType& mesh, const WorkingCopy& copy, const Carried& carried,
+void write_back(MeshType& mesh, WorkingCopy& copy, const Carried& carried,
                 DecimationReport& report) {
+  copy.vertex_of.resize(copy.mesh.vertex_origins, copy.vertex_of[0]);  // any: they are blended
   WriteBack<MeshType>(mesh, copy, carried).run();
   report.faces = mesh.fn, report.vertices = mesh.vn;
 }

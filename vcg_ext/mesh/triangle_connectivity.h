@@ -225,6 +225,13 @@ class TriangleConnectivity {
     make_lists(vertex_count);
   }
 
+  /// More slots: of vertices without a face, and of dead faces.
+  void extend(int vertices, int faces) {
+    faces_.reserve(faces_.size() + faces), lists_.reserve(lists_.size() + vertices);
+    faces_.resize(faces_.size() + faces, {dead, dead, dead});
+    lists_.resize(lists_.size() + vertices);
+  }
+
   /// To be told of every change, so that the counts stay right.
   void count(const Removed& removed) {
     face_count_ -= removed.faces;

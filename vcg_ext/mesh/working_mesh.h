@@ -20,8 +20,10 @@ struct WorkingMesh {
   std::vector<FacePlane> plane;      // by face
   std::vector<double> importance;    // by vertex: factor on the cost; empty: 1 everywhere
   TriangleConnectivity connectivity;
-  std::vector<int> vertex_origin;  // by vertex: its number at the start
-  std::vector<int> face_origin;    // by face: its number in the mesh it was taken from
+  std::vector<int> vertex_origin;  // by vertex: its number at the start, or a later one
+  std::vector<int> face_origin;    // by face: its number in the mesh it was taken from, or a later
+  int vertex_origins = 0;          // numbers that were given
+  int face_origins = 0;            // the same, those of the mesh that it was taken from included
 
   Triangle triangle(int f) const {
     const Face& face = connectivity.face(f);
@@ -32,8 +34,8 @@ struct WorkingMesh {
 
   void renumber(const Renumbering& numbers) {
     numbers.vertices(position), numbers.vertices(kind), numbers.vertices(locked);
-    numbers.vertices(importance), numbers.vertices(vertex_origin);
-    numbers.faces(plane), numbers.faces(face_origin);
+    numbers.vertices(importance), numbers.vertices(vertex_origin, vertex_origins);
+    numbers.faces(plane), numbers.faces(face_origin, face_origins);
     numbers.apply(connectivity);
   }
 };

@@ -20,6 +20,9 @@ class IndexedHeap {
 
   explicit IndexedHeap(std::size_t indices) : slot_(indices, absent) {}
 
+  /// Room for indices below `indices`.
+  void extend(std::size_t indices) { slot_.resize(indices, absent); }
+
   bool empty() const { return entries_.empty(); }
   std::size_t size() const { return entries_.size(); }
   const Entry& top() const { return entries_.front(); }

@@ -132,6 +132,17 @@ inline std::string told_locked(const WorkingMesh& mesh) {
                       [&](int v) { return mesh.locked[v] != 0; });
 }
 
+/// Kinds of vertices that hold each other back without a question. limits: of the run. is_all:
+/// nothing else was said, advice neither.
+inline std::string told_junctions(const WorkingMesh& mesh, const CollapseLimits& limits,
+                                  bool is_all) {
+  if (!limits.keeps_topology || limits.topology_gives_way) return "";
+  const std::string told = told_staying(mesh, "sheets or parts that meet there", [&](int v) {
+    return mesh.kind[v] == VertexKind::Junction && mesh.locked[v] == 0;
+  });
+  return told.empty() || !is_all ? told : told + ' ' + topology_advice(limits);
+}
+
 /// What a removal does not try.
 inline std::string told_untried(const WorkingMesh& mesh, const RemovalPlan& plan) {
   std::string told = told_locked(mesh);
@@ -161,8 +172,9 @@ inline std::string told_end(const DecimationReport& report, const char* exhauste
 inline void note_stop(const Tally& tally, const CollapsePlan& plan, const WorkingMesh& mesh,
                       DecimationReport& report) {
   if (!ended_above(plan.stop, tally)) return;
-  report.notes.push_back(told_end(report, "no edge is left that may collapse") +
-                         told_reasons(tally.last_look(), plan.limits) + told_locked(mesh));
+  const std::string reasons = told_reasons(tally.last_look(), plan.limits);
+  report.notes.push_back(told_end(report, "no edge is left that may collapse") + reasons +
+                         told_junctions(mesh, plan.limits, reasons.empty()) + told_locked(mesh));
 }
 
 /// Says why a run of removals left more than was asked for. mesh: after it.
