@@ -2,8 +2,12 @@
 // The target is met to the face, or the report says why not.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "support/decimation.h"
+#include "support/drawn_meshes.h"
 #include "support/mesh_group.h"
+#include "support/rich_mesh.h"
 
 namespace curvdecim::test {
 namespace {
@@ -51,6 +55,33 @@ TEST_P(TargetOf, MoreThanThereIsLeavesTheMeshAlone) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Drawn, TargetOf, testing::ValuesIn(manifold_meshes()), name_of);
+
+/// An edge where many sheets meet takes a face of each.
+TEST(Target, IsNotPassedWhereManySheetsMeet) {
+  const Shape before = book(20, 8);
+  for (Preset preset : {Preset::Fast, Preset::Balanced})
+    for (int target : {1000, 300, 150, 100}) {
+      EdgeCollapseParams params = to_faces(target);
+      params.preset = preset;
+      const auto [after, report] = decimated(before, params);
+      EXPECT_LE(after.face_count(), target);
+      EXPECT_GE(after.face_count(), target - 1);
+    }
+}
+
+/// What is selected is what lies at the edges where all pages meet.
+TEST(Target, IsPassedWhereOnlySuchEdgesAreLeft) {
+  constexpr int pages = 20, cells = 8;
+  RichMesh mesh;
+  fill(mesh, book(pages, cells));
+  const int selected = select_faces(
+      mesh, [](const vcg::Point3d& p) { return std::hypot(p[0], p[1]) < 1.0 / cells; });
+  EdgeCollapseParams params = to_faces(selected - pages - pages / 2);
+  params.selected_only = true;
+  const int before = mesh.fn;
+  EXPECT_EQ(decimate(mesh, params).stopped_by, StopReason::Target);
+  EXPECT_EQ(mesh.fn, before - 2 * pages);
+}
 
 TEST(Target, FractionOfOneLeavesTheMeshAlone) {
   EdgeCollapseParams params;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -59,6 +60,9 @@ class CollapseOperator {
   /// The pairs are contracted like edges; only one collapse at a time is possible then.
   void add_pairs(VertexPairs pairs) { pairs_ = std::move(pairs); }
 
+  /// An edge of more faces is no candidate.
+  void set_most_faces(int faces) { most_faces_ = faces; }
+
   // --- candidates -------------------------------------------------------------------------------
 
   /// Whether it is an edge or a pair still.
@@ -76,7 +80,7 @@ class CollapseOperator {
         mates.push_back({u, Vector3::Zero()});
   }
 
-  /// nullopt: the kinds of its ends, or the metric, forbid it.
+  /// nullopt: its faces, the kinds of its ends, or the metric, forbid it.
   std::optional<Candidate> evaluate(Edge edge) const {
     return evaluate(edge, wings_of(mesh_, edge));
   }
@@ -188,10 +192,15 @@ class CollapseOperator {
  private:
   std::optional<Candidate> evaluate(Edge edge, const Vector3& wings) const {
     const std::optional<Allowed> allowed = rule_(edge);
-    if (!allowed) return std::nullopt;
+    if (!allowed || has_too_many_faces(edge)) return std::nullopt;
     std::optional<Candidate> candidate = metric_.evaluate(edge, *allowed, wings);
     if (candidate) candidate->cost *= importance(edge);
     return candidate;
+  }
+
+  bool has_too_many_faces(Edge edge) const {
+    return mesh_.kind[edge.a] >= VertexKind::Curve && mesh_.kind[edge.b] >= VertexKind::Curve &&
+           mesh_.connectivity.edge_valence(edge.a, edge.b) > most_faces_;
   }
 
   double importance(Edge edge) const {
@@ -254,6 +263,7 @@ class CollapseOperator {
   WorkingMesh& mesh_;
   MetricType& metric_;
   const bool topology_;
+  int most_faces_ = std::numeric_limits<int>::max();
   const PriceUnit price_unit_;
   const CollapseRule rule_;
   CollapseGuards guards_;

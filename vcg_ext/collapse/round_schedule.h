@@ -202,7 +202,8 @@ class RoundSchedule {
     });
     Removed removed;
     for (Pick* pick : ready) {
-      pick->ready = !stop_.reached(mesh_.connectivity, removed);
+      pick->ready = !stop_.reached(mesh_.connectivity, removed) &&
+                    pick->removed.faces <= stop_.most_faces(mesh_.connectivity, removed);
       if (pick->ready) removed += pick->removed;
     }
   }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "vcg_ext/collapse/collapse_operator.h"
@@ -41,6 +42,7 @@ class StrictSchedule {
         parts_(collapses.parts()),
         stop_(stop),
         eager_(eager),
+        is_sparing_(parts_ != nullptr),
         next_number_(next_number),
         queue_(mesh.connectivity.vertex_slots()) {}
 
@@ -52,9 +54,11 @@ class StrictSchedule {
       before = next_number_;
       tally.begin_look();
       rests_.end_all();
+      spare();
       fill_queue(parallel);
       reason = empty_queue(progress, tally);
-    } while (reason == StopReason::NothingLeft && next_number_ > before);
+    } while (reason == StopReason::NothingLeft &&
+             (next_number_ > before || std::exchange(is_sparing_, false)));
     tally.end(reason);
   }
 
@@ -80,6 +84,7 @@ class StrictSchedule {
   StopReason empty_queue(ProgressMeter& progress, Tally& tally) {
     for (int steps = 0; !stop_.reached(mesh_.connectivity); ++steps) {
       if (steps % steps_per_progress == 0) show(progress);
+      spare();
       if (parts_ && remove_part(tally)) continue;
       if (queue_.empty()) return StopReason::NothingLeft;
       const Edge edge = queue_.top();
@@ -101,6 +106,14 @@ class StrictSchedule {
         collapse(*candidate, answer.error_bound, tally);
     }
     return StopReason::Target;
+  }
+
+  /// An edge where many sheets meet takes many faces at once. Where these are more than are to go,
+  /// it waits until no other edge is left; not where the topology stays, which the others may bring
+  /// to where none of them is possible any more.
+  void spare() {
+    const int most = stop_.most_faces(mesh_.connectivity);
+    collapses_.set_most_faces(is_sparing_ ? most : mesh_.connectivity.face_count());
   }
 
   /// Takes the cheapest part away where no edge is cheaper. A part that has more faces than are to
@@ -211,6 +224,7 @@ class StrictSchedule {
   Parts* const parts_;  // that may vanish; nullptr: none may
   const StopCriterion& stop_;
   const bool eager_;
+  bool is_sparing_;
   int next_number_;  // of the next collapse
   EdgeQueue queue_;
   Scratch scratch_;

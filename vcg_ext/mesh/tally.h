@@ -26,6 +26,11 @@ struct StopCriterion {
            connectivity.vertex_count() - once_removed.vertices <= vertices;
   }
 
+  /// How many faces the next collapse may remove so that the target is missed by one at the most.
+  int most_faces(const TriangleConnectivity& connectivity, const Removed& once_removed = {}) const {
+    return connectivity.face_count() - once_removed.faces - faces + 1;
+  }
+
   /// Collapses until the target, if each removes two faces and a vertex.
   double collapses_left(const TriangleConnectivity& connectivity) const {
     return std::min(0.5 * (connectivity.face_count() - faces),
