@@ -132,6 +132,61 @@ TEST(Refinement, KeepsTheCornersAndSidesOfABox) {
   EXPECT_EQ(corners, 8);
 }
 
+/// The input, and what the collapses alone make of it and the collapses with the sweeps of Best.
+struct Compared {
+  Shape input, collapsed, refined;
+
+  Compared(const Shape& shape, int faces) : input(shape) {
+    EdgeCollapseParams params = to_faces(faces);
+    params.preset = Preset::Balanced, params.preserve_topology = false;
+    collapsed = decimated(shape, params).shape;
+    params.preset = Preset::Best;
+    refined = decimated(shape, params).shape;
+  }
+};
+
+TEST(Refinement, LeavesAnExactResultExact) {
+  const auto expect_exact = [](const Shape& shape, int faces) {
+    const Compared result(shape, faces);
+    const double nothing = 1e-12 * diagonal(shape);
+    EXPECT_LT(two_sided_rms(shape, result.collapsed), nothing) << faces << " faces";
+    EXPECT_LT(two_sided_rms(shape, result.refined), nothing) << faces << " faces";
+  };
+  for (int faces : {60, 90, 124, 180}) expect_exact(dense_box(24, {50, 50, 6}), faces);
+  for (int faces : {500, 1000}) expect_exact(book(25, 10), faces);  // pages near each other
+}
+
+TEST(Refinement, MovesNoVertexFurtherOutThanTheCollapsesDid) {
+  for (int subdivisions : {2, 3}) {
+    Shape shape = icosphere(subdivisions);
+    for (int f = 0, end = shape.face_count(); f < end; f += 3) {
+      const auto [a, b, c] = shape.faces[f];
+      shape.faces.push_back({c, b, a});
+    }
+    const Compared result(shape, shape.face_count() / 5);
+    const double reach = 1.0 + two_sided_distance(shape, result.collapsed);
+    for (const Point& p : result.refined.vertices)
+      EXPECT_LT(p.cwiseAbs().maxCoeff(), reach) << p.transpose();
+  }
+}
+
+TEST(Refinement, DoesNotPullAtTheBordersOfClosedHoles) {
+  constexpr int cells = 48;
+  Shape shape = plane_grid(cells);
+  const auto is_in_hole = [&](const Corners& face) {
+    const auto [a, b, c] = corners_of(shape, face);
+    const Point center = (a + b + c) / 3.0 * cells;
+    return static_cast<int>(center.x()) % 4 == 1 && static_cast<int>(center.y()) % 4 == 1;
+  };
+  shape.faces.erase(std::remove_if(shape.faces.begin(), shape.faces.end(), is_in_hole),
+                    shape.faces.end());
+  for (int part : {10, 20}) {
+    const Compared result(shape, shape.face_count() / part);
+    EXPECT_LT(two_sided_rms(shape, result.refined), 1.05 * two_sided_rms(shape, result.collapsed))
+        << "1 of " << part;
+  }
+}
+
 TEST(Refinement, KeepsBordersOnTheirCurve) {
   const Shape cylinder = open_cylinder(48, 12), after = refined(cylinder, 300);
   double low = 0.0, high = 0.0;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "support/drawn_meshes.h"
 #include "support/working_mesh.h"
@@ -62,7 +63,7 @@ TEST(InputSamples, WeighAsMuchAsTheSurfaceAndLieOnTheFaceThatTheyMatch) {
   const double area = total_area(input);
   double weight = 0.0;
   InputSamples samples(input, area, faces);
-  samples.match(TriangleTree(mesh, faces, one_thread), faces, one_thread);
+  samples.match(TriangleTree(mesh, faces, one_thread), faces, MatchLimits(area, faces), one_thread);
   for (int f = 0; f < faces; ++f)
     for (int i : samples.of_face(f)) {
       weight += samples.weight(i);
@@ -136,10 +137,11 @@ TEST(EdgeFlips, LowerTheErrorOfAMeshWithWrongDiagonals) {
   const TriangleTree input_tree(surface, surface.face_count(), one_thread);
   const TriangleTree mesh_tree(mesh, faces, one_thread);
   InputSamples of_input(surface, area, faces);
-  of_input.match(mesh_tree, faces, one_thread);
+  const MatchLimits limits(area, faces);
+  of_input.match(mesh_tree, faces, limits, one_thread);
   MeshSamples of_mesh(surface, input_tree, area, faces);
   const std::vector<int> near(faces, SurfacePoint::none);
-  of_mesh.match(mesh, near, one_thread);
+  of_mesh.match(mesh, near, limits, one_thread);
   const MoveGuard guard(mesh, surface, input_tree, FaceLimits());
   const double before = error(mesh, surface);
   Carried nothing;
@@ -149,6 +151,10 @@ TEST(EdgeFlips, LowerTheErrorOfAMeshWithWrongDiagonals) {
 }
 
 // --- guard ---------------------------------------------------------------------------------------
+
+std::vector<Farthest> anywhere(const WorkingMesh& mesh) {
+  return std::vector<Farthest>(mesh.position.size());
+}
 
 TEST(MoveGuard, LetsNoFaceFoldOver) {
   const Shape shape = in_box(icosphere(2));
@@ -161,36 +167,53 @@ TEST(MoveGuard, LetsNoFaceFoldOver) {
     std::vector<Vector3> steps(mesh.position.size(), Vector3::Zero());
     steps[7] = pull, steps[20] = -pull;
     WorkingMesh moved = mesh;
-    moved.position = guard.moved(steps, near, one_thread);
+    moved.position = guard.moved(steps, near, anywhere(mesh), one_thread);
     for (int f = 0; f < mesh.connectivity.face_slots(); ++f)
       EXPECT_GT(area_vector(moved.triangle(f)).dot(mesh.plane[f].normal), 0.0);
   }
 }
 
+const Shape flat_grid = translated(scaled(plane_grid(4), 0.5), {-0.25, -0.25, 0.0});
+
 /// The centre of a flat grid, 0.125 from its neighbours, lifted as far as the guard lets it go.
-double lifted(double by, const FaceLimits& limits) {
-  const Shape shape = translated(scaled(plane_grid(4), 0.5), {-0.25, -0.25, 0.0});
+/// farthest2: of the samples around it.
+double lifted(double by, const FaceLimits& limits, const Shape& shape = flat_grid,
+              double farthest2 = std::numeric_limits<double>::infinity()) {
   const WorkingMesh mesh = working_mesh(shape);
   const InputSurface input = surface_of(shape);
   const TriangleTree tree(input, input.face_count(), one_thread);
   std::vector<Vector3> steps(mesh.position.size(), Vector3::Zero());
   steps[12].z() = by;
   const std::vector<int> near(mesh.plane.size(), SurfacePoint::none);
-  return MoveGuard(mesh, input, tree, limits).moved(steps, near, one_thread)[12].z();
+  std::vector<Farthest> farthest = anywhere(mesh);
+  farthest[12].distance2 = farthest2;
+  return MoveGuard(mesh, input, tree, limits).moved(steps, near, farthest, one_thread)[12].z();
+}
+
+TEST(MoveGuard, CutsAStepToHalfTheShortestEdge) {
+  EXPECT_EQ(lifted(0.05, FaceLimits()), 0.05);
+  EXPECT_DOUBLE_EQ(lifted(0.1, FaceLimits()), 0.0625);
 }
 
 TEST(MoveGuard, HalvesAStepThatTurnsAFaceByMoreThanSixtyDegrees) {
-  EXPECT_EQ(lifted(0.1, FaceLimits()), 0.1);
-  EXPECT_EQ(lifted(0.3, FaceLimits()), 0.15);
+  const Shape slanted =  // heights of 0.025 over the longest edges
+      mapped(flat_grid, [](const Point& p) { return Point(p.x(), p.y() + 4.0 * p.x(), 0.0); });
+  EXPECT_EQ(lifted(0.04, FaceLimits(), slanted), 0.04);
+  EXPECT_EQ(lifted(0.05, FaceLimits(), slanted), 0.025);
+}
+
+TEST(MoveGuard, TakesBackAStepThatEndsTwiceAsFarOffAsTheSamplesWere) {
+  EXPECT_EQ(lifted(0.03, FaceLimits(), flat_grid, 0.02 * 0.02), 0.03);
+  EXPECT_EQ(lifted(0.05, FaceLimits(), flat_grid, 0.02 * 0.02), 0.0);
 }
 
 TEST(MoveGuard, TakesBackAStepThatTurnsAFaceByMoreThanTheNormalAngleFromTheInput) {
   FaceLimits limits;
   limits.normal_angle = 30.0;
-  EXPECT_EQ(lifted(0.1, limits), 0.0);
+  EXPECT_EQ(lifted(0.06, limits), 0.0);
   EXPECT_EQ(lifted(0.02, limits), 0.02);
   limits.keeps_normal = false;
-  EXPECT_EQ(lifted(0.1, limits), 0.1);
+  EXPECT_EQ(lifted(0.06, limits), 0.06);
 }
 
 TEST(MoveGuard, LetsAllOthersGo) {
@@ -201,7 +224,7 @@ TEST(MoveGuard, LetsAllOthersGo) {
   const std::vector<int> near(mesh.plane.size(), SurfacePoint::none);
   const std::vector<Vector3> steps(mesh.position.size(), Vector3(0.01, 0.0, 0.0));
   const std::vector<Vector3> now =
-      MoveGuard(mesh, input, tree, FaceLimits()).moved(steps, near, one_thread);
+      MoveGuard(mesh, input, tree, FaceLimits()).moved(steps, near, anywhere(mesh), one_thread);
   for (std::size_t v = 0; v < now.size(); ++v) EXPECT_EQ(now[v], mesh.position[v] + steps[v]);
 }
 

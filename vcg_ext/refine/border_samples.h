@@ -13,7 +13,7 @@
 namespace curvdecim::detail {
 
 /// Samples of the boundaries of the mesh and of the input, each with the nearest point of the
-/// other's boundary.
+/// other's boundary, unless that one belongs to something else.
 class BorderSamples {
  public:
   /// weight: against samples of the surface.
@@ -51,10 +51,12 @@ class BorderSamples {
     const double length = of_mesh_.length(e);
     for (int i = 0; i < per_mesh_edge; ++i) {
       const Barycentric w = along(i, per_mesh_edge);
-      const SurfacePoint found = input_tree_->nearest(at(edge, w), SurfacePoint::none);
-      if (found.distance2 <= limits_.rounding2) continue;
-      of_edge_[e].push_back({w, at(of_input_.triangle(found.face), found.weight),
-                             weight_ * length * length / per_mesh_edge, found.distance2});
+      SurfacePoint found = input_tree_->nearest(at(edge, w), SurfacePoint::none);
+      limits_.round(found);
+      const Vector3 target = at(of_input_.triangle(found.face), found.weight);
+      if (has_nearer(*mesh_tree_, target, found)) continue;
+      of_edge_[e].push_back(
+          {w, target, weight_ * length * length / per_mesh_edge, found.distance2});
     }
   }
 
@@ -62,12 +64,24 @@ class BorderSamples {
     const Triangle edge = of_input_.triangle(e);
     for (int i = 0; i < per_input_edge; ++i) {
       const Vector3 p = at(edge, along(i, per_input_edge));
-      const SurfacePoint found = mesh_tree_->nearest(p, SurfacePoint::none);
+      SurfacePoint found = mesh_tree_->nearest(p, SurfacePoint::none);
+      limits_.round(found);
+      if (has_nearer(*input_tree_, at(of_mesh_.triangle(found.face), found.weight), found))
+        continue;
       const auto [w0, w1, w2] = found.weight;
       const double length = of_input_.length(e) * of_mesh_.length(found.face);
       of_edge_[found.face].push_back(
           {{w0, w1 + w2, 0.0}, p, weight_ * length / per_input_edge, found.distance2});
     }
+  }
+
+  /// True if the match is much nearer to another place of the boundary that the sample is of. Then
+  /// the sample's own place has no counterpart: its hole was closed, or torn open.
+  static bool has_nearer(const TriangleTree<BorderCurve>& own, const Vector3& match,
+                         const SurfacePoint& found) {
+    constexpr double much2 = 0.25;  // squared: half as far
+    const Vector3 any_way = Vector3::Zero();
+    return own.nearest_facing(match, any_way, much2 * found.distance2, SurfacePoint::none).found();
   }
 
   static Barycentric along(int i, int count) {

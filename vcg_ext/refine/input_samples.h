@@ -29,7 +29,8 @@ class InputSamples {
   }
 
   /// With the mesh as it is now.
-  void match(const TriangleTree<WorkingMesh>& tree, int mesh_faces, const Parallel& parallel) {
+  void match(const TriangleTree<WorkingMesh>& tree, int mesh_faces, const MatchLimits& limits,
+             const Parallel& parallel) {
     const int count = static_cast<int>(face_.size());
     const auto match_run = [&](int run) {
       int last = SurfacePoint::none;  // neighbours in the list are neighbours in space
@@ -37,7 +38,7 @@ class InputSamples {
         const int hint = is_matched_ ? found_[i].face : last;
         const Triangle face = input_.triangle(face_[i]);
         found_[i] = Found(
-            nearest_on_sheet(tree, at(face, places_[place_[i]]), area_vector(face), hint, limits_));
+            nearest_on_sheet(tree, at(face, places_[place_[i]]), area_vector(face), hint, limits));
         last = found_[i].face;
       }
     };

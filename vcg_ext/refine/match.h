@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+
+#include "vcg_ext/geometry/triangle.h"
+#include "vcg_ext/mesh/triangle_connectivity.h"
 #include "vcg_ext/refine/triangle_tree.h"
 
 namespace curvdecim::detail {
@@ -35,17 +39,27 @@ struct MatchLimits {
   MatchLimits(double area, int faces)
       : facing2(area / faces), walked2(0.003 * facing2), rounding2(1e-14 * facing2) {}
 
+  /// For hints that may lie on another sheet: trusts no walk.
+  MatchLimits without_walks() const {
+    MatchLimits limits = *this;
+    limits.walked2 = 0.0;
+    return limits;
+  }
+
   void round(SurfacePoint& point) const {
     if (point.distance2 <= rounding2) point.distance2 = 0.0;
   }
 };
+
+/// A weight of a point on a face that is no more is rounding: the point is on the edge across.
+inline constexpr double rounding_weight = 1e-9;
 
 /// True if face f touches the point with these weights on `face`: has the corner that it is, or
 /// both ends of the edge that it is on. Inside a face no other does.
 inline bool touches(const TriangleConnectivity& connectivity, int f, const Face& face,
                     const Barycentric& weight) {
   for (int i = 0; i < 3; ++i)
-    if (weight[i] != 0.0 && !connectivity.face_has(f, face[i])) return false;
+    if (weight[i] > rounding_weight && !connectivity.face_has(f, face[i])) return false;
   return true;
 }
 
@@ -55,7 +69,8 @@ inline int touched_corner(const TriangleConnectivity& connectivity, const Face& 
                           const Barycentric& weight) {
   int corner = -1;
   for (int i = 0; i < 3; ++i)
-    if (weight[i] != 0.0 && (corner < 0 || connectivity.is_hub(corner))) corner = face[i];
+    if (weight[i] > rounding_weight && (corner < 0 || connectivity.is_hub(corner)))
+      corner = face[i];
   return corner;
 }
 
@@ -79,17 +94,40 @@ SurfacePoint walk_to_nearest(const Surface& surface, const Vector3& p, int start
   return best;
 }
 
+/// True if a walk over faces along the normal may have ended here for want of a way: at a border,
+/// or beside a face that faces away or has no area but rounding. Nearer ones may lie behind.
+template <class Surface>
+bool is_dead_end(const Surface& surface, const SurfacePoint& end, const Vector3& normal) {
+  constexpr double least_shape_quality = 1e-6;  // of an area that is more than rounding
+  const Face& face = surface.connectivity.face(end.face);
+  if (*std::min_element(end.weight.begin(), end.weight.end()) > rounding_weight) return false;
+  bool is_alone = true;
+  for (int f :
+       surface.connectivity.faces_of(touched_corner(surface.connectivity, face, end.weight))) {
+    if (f == end.face || !touches(surface.connectivity, f, face, end.weight)) continue;
+    const Triangle triangle = surface.triangle(f);
+    const Vector3 v = area_vector(triangle);
+    if (!(v.dot(normal) > 0.0) || is_worse_shaped(triangle, v.norm(), least_shape_quality))
+      return true;
+    is_alone = false;
+  }
+  return is_alone;
+}
+
 /// The nearest point on the same sheet, where that is near; of thin walls the other sheet may be
 /// nearer. A walk from the hint mostly finds it; where it ends further away than the hint's
-/// neighbourhood reaches, all faces are searched.
+/// neighbourhood reaches, or had no way on, all faces are searched.
 template <class Surface>
 SurfacePoint nearest_on_sheet(const TriangleTree<Surface>& tree, const Vector3& p,
                               const Vector3& normal, int hint, const MatchLimits& limits) {
   const auto faces_along = [&](const Vector3& n) { return n.dot(normal) >= 0.0; };
   SurfacePoint found;
   if (hint != SurfacePoint::none) found = walk_to_nearest(tree.surface(), p, hint, faces_along);
-  if (!(found.distance2 < limits.walked2))
-    found = tree.nearest_facing(p, normal, limits.facing2, hint);
+  const bool is_nearest =
+      found.distance2 <= limits.rounding2 ||
+      (found.distance2 < limits.walked2 && !is_dead_end(tree.surface(), found, normal));
+  if (!is_nearest)
+    found = tree.nearest_facing(p, normal, limits.facing2, found.found() ? found.face : hint);
   if (!found.found()) found = tree.nearest(p, hint);
   limits.round(found);
   return found;

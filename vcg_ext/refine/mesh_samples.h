@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -29,30 +30,24 @@ class MeshSamples {
         of_face_(mesh_faces) {}
 
   /// Matches the mesh as it is now. near: by face, an input face near it, or SurfacePoint::none.
-  void match(const WorkingMesh& mesh, const std::vector<int>& near, const Parallel& parallel) {
+  void match(const WorkingMesh& mesh, const std::vector<int>& near, const MatchLimits& limits,
+             const Parallel& parallel) {
     parallel.for_each(
-        mesh.connectivity.face_slots(), [&](int f) { match_face(mesh, f, near[f]); },
+        mesh.connectivity.face_slots(),
+        [&](int f) { match_face(mesh.triangle(f), mesh.plane[f], near[f], limits, of_face_[f]); },
         Parallel::heavy);
     of_vertex_.resize(mesh.connectivity.vertex_slots());
     parallel.for_each(mesh.connectivity.vertex_slots(), [&](int v) { match_vertex(mesh, v); });
   }
 
   void match_face(const WorkingMesh& mesh, int f, int hint) {
-    match_face(mesh.triangle(f), mesh.plane[f], hint, of_face_[f]);
+    match_face(mesh.triangle(f), mesh.plane[f], hint, limits_, of_face_[f]);
   }
 
   /// Samples inside a face that could be. samples: known ones are hints, if there are as many.
   void match_face(const Triangle& triangle, const FacePlane& plane, int hint,
                   OfFace& samples) const {
-    const int cuts = cuts_for(plane.area, part_, most_cuts), count = cuts * cuts;
-    const bool is_known = static_cast<int>(samples.size()) == count;
-    samples.resize(count);
-    for (int i = 0; i < count; ++i) {
-      if (is_known) hint = samples[i].face;
-      const Vector3 p = at(triangle, places_[places_.first_of_parts(cuts) + i]);
-      samples[i] = Found(nearest_on_sheet(tree_, p, plane.normal, hint, limits_));
-      hint = samples[i].face;
-    }
+    match_face(triangle, plane, hint, limits_, samples);
   }
 
   /// Sum of the squared distances by the area that they stand for.
@@ -63,6 +58,15 @@ class MeshSamples {
   }
   double error(const WorkingMesh& mesh, int f) const {
     return error(of_face_[f], mesh.plane[f].area);
+  }
+
+  /// The largest squared distance of the samples of face f, also at its corners.
+  double farthest2(const WorkingMesh& mesh, int f) const {
+    float farthest2 = 0.0f;
+    for (const Found& found : of_face_[f]) farthest2 = std::max(farthest2, found.distance2);
+    for (int v : mesh.connectivity.face(f))
+      farthest2 = std::max(farthest2, of_vertex_[v].distance2);
+    return farthest2;
   }
 
   /// Inside face f.
@@ -99,6 +103,19 @@ class MeshSamples {
     const Triangle face = input_.triangle(found.face);
     return {
         {}, at(face, closest_point(face, p)), input_.weight[found.face] * area, found.distance2};
+  }
+
+  void match_face(const Triangle& triangle, const FacePlane& plane, int hint,
+                  const MatchLimits& limits, OfFace& samples) const {
+    const int cuts = cuts_for(plane.area, part_, most_cuts), count = cuts * cuts;
+    const bool is_known = static_cast<int>(samples.size()) == count;
+    samples.resize(count);
+    for (int i = 0; i < count; ++i) {
+      if (is_known) hint = samples[i].face;
+      const Vector3 p = at(triangle, places_[places_.first_of_parts(cuts) + i]);
+      samples[i] = Found(nearest_on_sheet(tree_, p, plane.normal, hint, limits));
+      hint = samples[i].face;
+    }
   }
 
   void match_vertex(const WorkingMesh& mesh, int v) {

@@ -2,7 +2,10 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <limits>
+#include <utility>
 #include <vector>
 
 #include "vcg_ext/guard/limits.h"
@@ -13,7 +16,14 @@
 
 namespace curvdecim::detail {
 
-/// How far vertices may step: no face turns far, folds back over the input, or becomes a needle.
+/// How far from the input the samples around a vertex are.
+struct Farthest {
+  int near = SurfacePoint::none;  // a face of the input near the vertex
+  double distance2 = std::numeric_limits<double>::infinity();
+};
+
+/// How far vertices may step: not past their neighbours, and no face turns far, folds back over the
+/// input, or becomes a needle.
 class MoveGuard {
  public:
   MoveGuard(const WorkingMesh& mesh, const InputSurface& input,
@@ -21,13 +31,16 @@ class MoveGuard {
       : mesh_(mesh), input_(input), tree_(tree), least_facing_(least_cosine(limits, 1.0)) {}
 
   /// The positions after the steps, as far as they may be done. near: by face, a face of the input
-  /// near it.
+  /// near it; farthest: by vertex.
   std::vector<Vector3> moved(std::vector<Vector3> steps, const std::vector<int>& near,
+                             const std::vector<Farthest>& farthest,
                              const Parallel& parallel) const {
+    bound_by_edges(steps, parallel);
     shorten(steps, parallel);
     std::vector<Vector3> now(steps.size());
     parallel.for_each(static_cast<int>(now.size()),
                       [&](int v) { now[v] = mesh_.position[v] + steps[v]; });
+    take_back_strays(now, farthest, parallel);
     take_back_folds(now, near, parallel);
     return now;
   }
@@ -47,12 +60,34 @@ class MoveGuard {
   }
 
  private:
-  static constexpr double least_turn = 0.5;  // cosine: 60 degrees in one step
+  static constexpr double part_of_edge = 0.5;  // two that step towards each other do not pass
+  static constexpr double least_turn = 0.5;    // cosine: 60 degrees in one step
   static constexpr double least_shape_quality = 0.02;
-  static constexpr int halvings = 4;  // before a step is dropped
+  static constexpr double much_further2 = 4.0;  // squared: twice as far
+  static constexpr int halvings = 4;            // before a step is dropped
 
   int face_count() const { return mesh_.connectivity.face_slots(); }
   int vertex_count() const { return mesh_.connectivity.vertex_slots(); }
+
+  /// Where the samples hardly hold a vertex in some direction, their best step may be of any
+  /// length.
+  void bound_by_edges(std::vector<Vector3>& steps, const Parallel& parallel) const {
+    parallel.for_each(vertex_count(), [&](int v) {
+      const double most2 = part_of_edge * part_of_edge * shortest_edge2(v);
+      const double length2 = steps[v].squaredNorm();
+      if (length2 > most2) steps[v] *= std::sqrt(most2 / length2);
+    });
+  }
+
+  /// Squared length.
+  double shortest_edge2(int v) const {
+    double shortest2 = std::numeric_limits<double>::infinity();
+    for (int f : mesh_.connectivity.faces_of(v))
+      for (int w : mesh_.connectivity.face(f))
+        if (w != v)
+          shortest2 = std::min(shortest2, (mesh_.position[w] - mesh_.position[v]).squaredNorm());
+    return shortest2;
+  }
 
   /// Halves the steps at faces that they would spoil, until none is.
   void shorten(std::vector<Vector3>& steps, const Parallel& parallel) const {
@@ -80,6 +115,22 @@ class MoveGuard {
     return turns_too_far(mesh_.plane[f].normal, plane, least_turn) ||
            spoils_shape(after, plane.area, least_shape_quality,
                         [&] { return shape_quality(before, mesh_.plane[f].area); });
+  }
+
+  /// Vertices that end much further from the input than the samples around them were go back to
+  /// where they were.
+  void take_back_strays(std::vector<Vector3>& now, const std::vector<Farthest>& farthest,
+                        const Parallel& parallel) const {
+    const auto check = [&](int v) {
+      if (now[v] == mesh_.position[v]) return;
+      const auto [near, distance2] = farthest[v];
+      const double most2 = much_further2 * distance2;
+      const bool is_near = (near != SurfacePoint::none &&
+                            squared_distance(input_.triangle(near), now[v]) <= most2) ||
+                           tree_.nearest(now[v], near).distance2 <= most2;
+      if (!is_near) now[v] = mesh_.position[v];
+    };
+    parallel.for_each(vertex_count(), check, Parallel::heavy);
   }
 
   /// Corners of a face that faces away go back to where they were, until no face does.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cassert>
 #include <optional>
 #include <utility>
@@ -28,7 +29,7 @@ namespace curvdecim::detail {
 ///       and samples of the mesh with theirs of the input               (samples, triangle_tree.h)
 ///     flip the edges that lower the error                                  (edge_flips.h)
 ///     steps of all vertices that fit the samples best                      (vertex_fit.h)
-///     shorten the steps that would spoil or fold a face                    (move_guard.h)
+///     shorten the steps that would spoil or fold a face, or lead astray    (move_guard.h)
 ///
 /// Locked vertices and those of non-manifold curves stay, and so do those that carry different
 /// values in different faces; border vertices move with the boundary.
@@ -60,7 +61,7 @@ class Refinement {
     const std::vector<std::uint8_t> fixed = fixed_vertices();
     for (int sweep = 0; sweep < sweeps; ++sweep) {
       progress.set(static_cast<double>(sweep) / sweeps);
-      match();
+      match(sweep == 0 && has_curves() ? limits_.without_walks() : limits_);
       EdgeFlips(mesh_, of_input_, of_mesh_, guard_, carried_).run(near_, parallel_);
       fit(fixed);
     }
@@ -108,22 +109,45 @@ class Refinement {
     return fixed;
   }
 
-  void match() {
+  /// Sheets that meet in a curve may face one way and lie so near each other that a walk on the
+  /// wrong one ends near by.
+  bool has_curves() const {
+    return std::any_of(mesh_.kind.begin(), mesh_.kind.end(),
+                       [](VertexKind kind) { return kind >= VertexKind::Curve; });
+  }
+
+  void match(const MatchLimits& limits) {
     mesh_tree_.refit(parallel_);
-    of_input_.match(mesh_tree_, face_count(), parallel_);
+    of_input_.match(mesh_tree_, face_count(), limits, parallel_);
     for (int f = 0; f < face_count(); ++f)
       for (int i : of_input_.of_face(f)) near_[f] = of_input_.input_face(i);
-    of_mesh_.match(mesh_, near_, parallel_);
+    of_mesh_.match(mesh_, near_, limits, parallel_);
     of_border_.match(parallel_);
   }
 
   void fit(const std::vector<std::uint8_t>& fixed) {
     std::vector<Vector3> steps =
         VertexFit(mesh_, parallel_).steps(of_input_, of_mesh_, of_border_, fixed);
-    std::vector<Vector3> now = guard_.moved(std::move(steps), near_, parallel_);
+    std::vector<Vector3> now = guard_.moved(std::move(steps), near_, farthest(), parallel_);
     if (carried_.wedges) carried_.wedges->move(mesh_, now);
     mesh_.position.swap(now);
     parallel_.for_each(face_count(), [&](int f) { mesh_.update_plane(f); });
+  }
+
+  /// By vertex.
+  std::vector<Farthest> farthest() const {
+    std::vector<double> of_face(face_count());
+    parallel_.for_each(face_count(), [&](int f) {
+      of_face[f] = of_mesh_.farthest2(mesh_, f);
+      for (int i : of_input_.of_face(f)) of_face[f] = std::max(of_face[f], of_input_.distance2(i));
+    });
+    std::vector<Farthest> farthest(mesh_.position.size());
+    parallel_.for_each(static_cast<int>(farthest.size()), [&](int v) {
+      farthest[v] = {of_mesh_.input_face(v), 0.0};
+      for (int f : mesh_.connectivity.faces_of(v))
+        farthest[v].distance2 = std::max(farthest[v].distance2, of_face[f]);
+    });
+    return farthest;
   }
 
   SurfacePoint on_input(int v) const {

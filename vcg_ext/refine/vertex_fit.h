@@ -73,17 +73,18 @@ class VertexFit {
   }
 
   /// Across an edge a sample counts in both directions, beyond its ends along the line to its
-  /// match.
+  /// match. One that lies on its match holds the edge where it is.
   static CornerSystem system_of_edge(const BorderSamples& of_border, int e) {
     const Triangle edge = of_border.triangle(e);
     const Vector3 along = (edge[1] - edge[0]).normalized();
     const Symmetric3 across = Symmetric3::outer(along, -1.0).plus_diagonal(1.0);
     CornerSystem system;
     for (const Match& match : of_border.of_edge(e)) {
-      const Vector3 pull = match.target - at(edge, match.at);
+      const bool is_off = match.distance2 > 0.0;
+      const Vector3 pull = is_off ? Vector3(match.target - at(edge, match.at)) : Vector3::Zero();
       if (match.at[0] > 0.0 && match.at[1] > 0.0)
         system.add(match.at, across, across * pull, match.weight);
-      else if (match.distance2 > 0.0)
+      else if (is_off)
         system.add(match.at, Symmetric3::outer(pull, 1.0 / pull.squaredNorm()), pull, match.weight);
     }
     return system;
