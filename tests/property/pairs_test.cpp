@@ -110,9 +110,11 @@ TEST(PairDistance, HandsOnThePairsOfMergedVertices) {
   const Shape small = translated(scaled(plane_grid(4), 0.5), {0.25, 0.25, 1e-3});
   EdgeCollapseParams params = joining(1.5e-3, 0);
   params.target_vertices = 6;
-  const auto [after, report] = decimated(side_by_side({plane_grid(8), small}), params);
+  const Shape before = side_by_side({plane_grid(8), small});
+  const auto [after, report] = decimated(before, params);
   EXPECT_EQ(topology(after).components, 1);
-  EXPECT_EQ(report.pairs_contracted, 1);
+  EXPECT_EQ(report.pairs_contracted, 2);
+  EXPECT_LT(two_sided_distance(before, after), 0.2);  // of a sheet of width 1
 }
 
 TEST(PairDistance, MakesAJunctionAtOnce) {
