@@ -84,6 +84,19 @@ TEST(Hub, GivesTheSameBitsOnAnyNumberOfThreads) {
 
 // --- guards -------------------------------------------------------------------------------------
 
+/// Every ring of a long rod may go for nothing: needles along it are what it consists of.
+TEST(Needle, AlongARodCostsNothing) {
+  Shape rod = capped_cylinder(16, 60);
+  for (Point& point : rod.vertices) point[2] *= 1000.0;
+  for (Preset preset : {Preset::Fast, Preset::Balanced, Preset::Best}) {
+    EdgeCollapseParams params = to_faces(rod.face_count() / 20);
+    params.preset = preset;
+    const Shape after = decimated(rod, params).shape;
+    EXPECT_LE(after.face_count(), rod.face_count() / 20);
+    EXPECT_LT(two_sided_distance(rod, after), 1e-6 * diagonal(rod));
+  }
+}
+
 /// A plane with thin cells between wide ones. On each face of a thin cell stands a vertex of three
 /// faces: the edges across the thin cells cost nothing, and their collapse would double faces.
 Shape thin_cells(int cells) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -34,16 +35,19 @@ class FaceGuard {
     return std::nullopt;
   }
 
-  /// What it costs that face f becomes `after`, in area times squared length; nullopt: it loses all
-  /// of its area, which it may not. A face that turns or becomes a sliver costs by its size, so
-  /// that among fair faces none does, and where a place consists of slivers, whose normals mean
-  /// little, they do not stand in the way (docs/decisions/prices-not-bans.md).
+  /// What it costs that face f becomes `after`, in area times squared length; nullopt: it loses its
+  /// height but for rounding, and so its normal, which it may not. A face that turns or becomes a
+  /// sliver costs by its size, so that among fair faces none does, and where a place consists of
+  /// slivers, whose normals mean little, they do not stand in the way
+  /// (docs/decisions/prices-not-bans.md).
   std::optional<double> price(int f, const Triangle& after, const FacePlane& plane_after) const {
-    if (mesh_.plane[f].area > 0.0 && !(plane_after.area > 0.0)) return std::nullopt;
-    double share = turns(f, plane_after) ? turn_price : 0.0;
+    if (!has_height(after, plane_after.area) && has_height(mesh_.triangle(f), mesh_.plane[f].area))
+      return std::nullopt;
+    double price = 0.0;  // per area
+    if (turns(f, plane_after)) price += turn_price * sum_of_squared_edges(after);
     if (is_worse_shaped(after, plane_after.area, fair_quality))
-      share += shape_price * lost_shape(f, after, plane_after.area);
-    return share > 0.0 ? share * plane_after.area * sum_of_squared_edges(after) : 0.0;
+      price += lost_shape(f, after, plane_after.area) * sliver_price(f, after);
+    return price * plane_after.area;
   }
 
   /// To be told of every face that was made anew.
@@ -54,13 +58,28 @@ class FaceGuard {
  private:
   static constexpr double fair_quality = 0.01;     // a needle of 1 : 100
   static constexpr double from_input = 2.0 / 3.0;  // of the angle: what a face may turn in all
-  // On area times the sum of the squared edges. A third or three times as much measures alike.
+  // On the sum of the squared edges. A third or three times as much measures alike.
   static constexpr double turn_price = 0.1;
   static constexpr double shape_price = 0.0003;
+  static constexpr double move_price = 3.0;  // on its square; a thirtieth or thirty times: alike
+
+  static bool has_height(const Triangle& t, double area) {
+    constexpr double rounding = 1e-9;  // in the box
+    return area * area > rounding * rounding * sum_of_squared_edges(t);
+  }
 
   bool turns(int f, const FacePlane& after) const {
     return turns_too_far(mesh_.plane[f].normal, after, cos_normal_) ||
            turns_too_far(input_normal_[f].unpacked(), after, cos_input_normal_);
+  }
+
+  /// A sliver as long as its part costs no more than its move: one that stays in the surface, as
+  /// along a rod, is what the place consists of.
+  double sliver_price(int f, const Triangle& after) const {
+    double move = 0.0;
+    for (const Vector3& corner : after)
+      move = std::max(move, std::abs(mesh_.plane[f].normal.dot(corner - mesh_.triangle(f)[0])));
+    return std::min(shape_price * sum_of_squared_edges(after), move_price * move * move);
   }
 
   /// 0: as slender as before; 1: no height is left.
