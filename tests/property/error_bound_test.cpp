@@ -114,5 +114,32 @@ TEST(ErrorBound, OfACancelledRunIsNone) {
   EXPECT_EQ(report.max_error, 0.0);
 }
 
+// --- faces without area -------------------------------------------------------------------------
+
+/// Every face cut at the middle of its first edge, with a face without area along that edge.
+Shape with_vertices_on_edges(const Shape& shape) {
+  Shape cut{shape.vertices, {}};
+  for (const auto& [a, b, c] : shape.faces) {
+    const int middle = cut.vertex_count();
+    Point half;
+    for (int k = 0; k < 3; ++k) half[k] = 0.5 * (shape.vertices[a][k] + shape.vertices[b][k]);
+    cut.vertices.push_back(half);
+    cut.faces.insert(cut.faces.end(), {{a, middle, c}, {middle, b, c}, {a, b, middle}});
+  }
+  return cut;
+}
+
+/// They refused nearly every collapse around them: 6,144 faces of a plane became 5,924.
+TEST(ErrorBound, IsNoNarrowerBesideFacesWithoutArea) {
+  EdgeCollapseParams params;
+  for (const Shape& plain : {plane_grid(8), saddle(12)}) {
+    const Shape before = with_vertices_on_edges(plain);
+    params.max_error = 0.01 * diagonal(before);
+    const auto [after, report] = decimated(before, params);
+    EXPECT_LE(after.face_count(), 2 * decimated(plain, params).shape.face_count() + 20);
+    EXPECT_LE(two_sided_distance(before, after), rounded_up(report.max_error, before));
+  }
+}
+
 }  // namespace
 }  // namespace curvdecim::test

@@ -56,11 +56,12 @@ class ErrorBound {
     return std::min(linear, along);
   }
 
-  static double inner(const WorkingMesh& mesh, const EdgeNeighborhood& around, const Patch& after,
+  static double inner(const WorkingMesh& mesh, const EdgeNeighborhood& around, Patch after,
                       const Vector3& x) {
     Patch before;
     for (const auto* faces : {&around.wings(), &around.star()})
       for (int f : *faces) before.push_back(mesh.triangle(f));
+    drop_flat(before), drop_flat(after);
     return PatchDistance::bound(before, after, x).value_or(HUGE_VAL);
   }
 
@@ -86,9 +87,13 @@ class ErrorBound {
     return slide + PatchDistance::bound(before, after, x).value_or(HUGE_VAL);
   }
 
-  /// A slid vertex may lie on the outline's corner: its triangles there have lost their area.
+  /// A triangle without area lies on an edge of its neighbours, which stand for it: one of the
+  /// input with a vertex on an edge, or at a slid vertex that has come to a corner of the outline.
   static void drop_flat(Patch& patch) {
-    const auto flat = [](const Triangle& t) { return !(area_vector(t).squaredNorm() > 0.0); };
+    constexpr double rounding = 1e-12;  // of the squared edges
+    const auto flat = [](const Triangle& t) {
+      return !(area_vector(t).norm() > rounding * sum_of_squared_edges(t));
+    };
     patch.erase(std::remove_if(patch.begin(), patch.end(), flat), patch.end());
   }
 
