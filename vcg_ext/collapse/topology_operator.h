@@ -52,7 +52,8 @@ class TopologyOperator {
 
  private:
   std::vector<int> cut(const SurfaceCut& cut, int& next_number, Tally& tally) {
-    if (!cut.is_possible()) return {};
+    constexpr int fewest = 6;  // that may leave a closed part of four on each side, with two more
+    if (!cut.is_possible() || mesh_.connectivity.face_count() < fewest) return {};
     const auto vertices = slots_.vertices(cut.new_vertices());
     const auto faces = slots_.faces(cut.new_faces());
     if (!vertices || !faces) return {};
