@@ -24,8 +24,9 @@ DecimationReport decimate_by_collapse(MeshType& mesh, const Params& params,
                                       const Progress& progress, WithMetric with_metric) {
   return reported<DecimationReport>(counts_of(mesh), params, progress, [&](const auto& run) {
     WorkingCopy copy = read_mesh(mesh, plan_reading(params), run.parallel);
-    const auto plan = plan_collapse(params, facts_of(mesh, copy, params.selected_only));
-    if (!plan) return note_small_enough(run.report);
+    const InputFacts facts = facts_of(mesh, copy, params.selected_only);
+    const auto plan = plan_collapse(params, facts);
+    if (!plan) return note_nothing_to_do(reached_target(params, facts), run.report);
     Carried carried = read_carried(mesh, copy, params.quality_weight, *plan, run.report);
     std::optional<InputCopy> input = keep_input(copy.mesh, *plan, run.parallel);
     const Tally tally = with_metric(copy.mesh, plan->metric, [&](auto metric) {

@@ -30,7 +30,7 @@ ClusteringReport decimate_vertex_clustering(MeshType& mesh, const ClusteringPara
   return reported<ClusteringReport>(counts_of(mesh), params, progress, [&](const auto& run) {
     const FlatMesh flat = read_flat(mesh, params.selected_only, run.parallel);
     const auto plan = plan_clustering(params, flat);
-    if (!plan) return note_small_enough(run.report);
+    if (!plan) return note_nothing_to_do(reached_target(params, flat), run.report);
     const ClusteringWeights weights = read_weights(mesh, flat, params.quality_weight, *plan, run);
     const Clustering clustering =
         ClusteringOperator(flat, *plan, weights, run.parallel).run(run.progress);

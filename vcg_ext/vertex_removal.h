@@ -32,8 +32,9 @@ DecimationReport decimate_vertex_removal(MeshType& mesh, const VertexRemovalPara
   using namespace detail;
   return reported<DecimationReport>(counts_of(mesh), params, progress, [&](const auto& run) {
     WorkingCopy copy = read_mesh(mesh, params.selected_only, run.parallel);
-    const auto plan = plan_removal(params, facts_of(mesh, copy, params.selected_only));
-    if (!plan) return note_small_enough(run.report);
+    const InputFacts facts = facts_of(mesh, copy, params.selected_only);
+    const auto plan = plan_removal(params, facts);
+    if (!plan) return note_nothing_to_do(reached_target(params, facts), run.report);
     Carried carried = read_carried(mesh, copy, params.quality_weight, run.report);
     const Tally tally = remove_vertices(copy.mesh, *plan, seams_of(copy.mesh, carried),
                                         carried.removal_observers(), run.parallel, run.progress);

@@ -14,6 +14,7 @@
 
 #include "vcg_ext/mesh/working_mesh.h"
 #include "vcg_ext/report.h"
+#include "vcg_ext/run/grouped.h"
 
 namespace curvdecim::detail {
 
@@ -22,9 +23,15 @@ inline void note_cancelled(DecimationReport& report) {
   report.notes.push_back("Cancelled: the mesh is unchanged.");
 }
 
-inline void note_small_enough(DecimationReport& report) {
-  report.notes.push_back(
-      "The target is not below the current count: nothing to do, the mesh is unchanged.");
+/// A target that the mesh has reached as it is.
+struct ReachedTarget {
+  const char* what;  ///< is counted
+  int current, target;
+};
+
+inline void note_nothing_to_do(const ReachedTarget& reached, DecimationReport& report) {
+  report.notes.push_back("Nothing to do: the mesh has " + grouped(reached.current) + ' ' +
+                         reached.what + " already, the target is " + grouped(reached.target) + '.');
 }
 
 /// use: what asks for the quality.

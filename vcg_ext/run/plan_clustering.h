@@ -24,13 +24,23 @@ inline double cell_diameter(const ClusteringParams& params, const FlatMesh& mesh
                    {"cell_size"});
 }
 
+/// 0: the size of the cells rules.
+inline int target_faces(const ClusteringParams& params, const FlatMesh& mesh) {
+  return params.target_fraction > 0.0 ? faces_of_fraction(params.target_fraction, mesh.face_count)
+                                      : params.target_faces;
+}
+
+/// Where plan_clustering returns none.
+inline ReachedTarget reached_target(const ClusteringParams& params, const FlatMesh& mesh) {
+  return {params.selected_only ? "selected faces" : "faces", mesh.face_count,
+          target_faces(params, mesh)};
+}
+
 /// nullopt: the mesh is small enough as it is. Throws InputError where the cells are too small.
 inline std::optional<ClusteringPlan> plan_clustering(const ClusteringParams& params,
                                                      const FlatMesh& mesh) {
   ClusteringPlan plan;
-  plan.target = params.target_fraction > 0.0
-                    ? faces_of_fraction(params.target_fraction, mesh.face_count)
-                    : params.target_faces;
+  plan.target = target_faces(params, mesh);
   if (plan.target >= mesh.face_count) return std::nullopt;
   if (plan.target == 0) plan.diameter = cell_diameter(params, mesh);
   plan.representative = params.representative;

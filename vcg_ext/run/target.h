@@ -6,6 +6,7 @@
 
 #include "vcg_ext/mesh/tally.h"
 #include "vcg_ext/params.h"
+#include "vcg_ext/run/notes.h"
 
 namespace curvdecim::detail {
 
@@ -47,6 +48,13 @@ inline std::optional<StopCriterion> stop_criterion(const DecimationParams& param
   return StopCriterion{faces + input.staying_faces,
                        by_vertices ? std::max(0, params.target_vertices - unused) : 0, input.faces,
                        input.staying_faces};
+}
+
+/// Where stop_criterion returns none: the target that rules.
+inline ReachedTarget reached_target(const DecimationParams& params, const InputFacts& input) {
+  const int faces = target_faces(params, input.candidates);
+  if (faces < input.candidates) return {"vertices", input.all.vertices, params.target_vertices};
+  return {params.selected_only ? "selected faces" : "faces", input.candidates, faces};
 }
 
 }  // namespace curvdecim::detail
