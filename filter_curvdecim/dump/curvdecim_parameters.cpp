@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "filter_curvdecim/filters/all_filters.h"
+#include "filter_curvdecim/table/flat_dialogs.h"
 #include "vcg_ext/run/validation.h"
 
 namespace curvdecim::glue {
@@ -61,12 +62,19 @@ Json array_of(const std::vector<Row>& rows, Json (*describe)(const Row&)) {
   return array;
 }
 
+Json describe_dialog(const FlatDialog& dialog) {
+  Json names = Json::array();
+  for (const Parameter& parameter : dialog.parameters) names.push_back(parameter.name);
+  return {{"menu_name", dialog.menu_name}, {"parameters", names}};
+}
+
 Json describe_filter(const FilterTable& filter) {
   return {{"menu_name", filter.about.menu_name},
           {"python_name", filter.about.python_name},
-          {"info", filter.about.info},
+          {"info", filter.about.info + "<br>" + filter.about.details},
           {"parameters", array_of(filter.parameters, describe_parameter)},
-          {"results", array_of(filter.results, describe_result)}};
+          {"results", array_of(filter.results, describe_result)},
+          {"flat_dialogs", array_of(flat_dialogs(filter), describe_dialog)}};
 }
 
 void print_json() {
@@ -102,7 +110,8 @@ void print(const ResultText& result) {
 void print(const FilterTable& filter) {
   std::cout << "## " << filter.about.menu_name << "\n\nIn Python: `" << filter.about.python_name
             << "`\n\n"
-            << filter.about.info << "\n\n";
+            << filter.about.info << "\n\n"
+            << filter.about.details << "\n\n";
   for (const Parameter& parameter : filter.parameters) print(parameter);
   std::cout << "### What it returns\n\n";
   for (const ResultText& result : filter.results) print(result);

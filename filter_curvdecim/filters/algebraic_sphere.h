@@ -22,26 +22,35 @@ struct AlgebraicSphereFilter {
 
   static Changes changed(const Report& report) { return change_of_shape(report); }
 
+  static std::string headline(const Report& report) {
+    return changed(report).shape ? headline_of(report) : "";
+  }
+
   static About about() {
-    return {"Simplification: Algebraic Sphere Edge Collapse",
-            "meshing_decimation_algebraic_sphere",
-            Category::Remeshing,
-            {true, false},
-            "Collapse edges by how far the new faces are from spheres fitted to the original "
-            "surface, and place vertices where spheres and planes are nearest: on smooth shapes "
-            "less error than the preset Balanced of <i>Curvature-Enhanced Edge Collapse</i>, in "
-            "about twice its time. A closed manifold stays one; borders and sharp edges are kept. "
-            "The log says what was done." +
-                bibliography({michaud_mellado_paulin, guennebaud, lindstrom_turk})};
+    return {
+        "Simplification: Algebraic Sphere Edge Collapse",
+        "meshing_decimation_algebraic_sphere",
+        Category::Remeshing,
+        {true, false},
+        "Simplify (decimate, reduce) a smooth shape, by fitted spheres." + bibliography({michaud}),
+        "Spheres are fitted to the original surface (Guennebaud, Germann, Gross). Edges collapse "
+        "by "
+        "how far the new faces are from them, and vertices go where spheres and planes are "
+        "nearest: on smooth shapes less error than the preset Balanced of <i>Curvature-Enhanced "
+        "Edge Collapse</i>, in about twice its time. A closed manifold stays one; borders and "
+        "sharp "
+        "edges are kept."};
   }
 
   static ParameterRows<Params> parameters() {
-    return joined<ParameterRow<Params>>({target_rows<Params>(),
-                                         kernel_rows(),
-                                         {energy_row(), placement_row(), sweeps_row()},
-                                         collapse_guard_rows<Params>(),
-                                         {feature_angle_row<Params>()},
-                                         last_rows<Params>()});
+    return joined<ParameterRow<Params>>(
+        {target_rows<Params>(),
+         {sweeps_row(), selected_row<Params>(), tuning(quality_weight_row<Params>()),
+          tuning(threads_row<Params>())},
+         for_papers(kernel_rows()),
+         for_papers<Params>({energy_row(), placement_row()}),
+         under<Params>("Keep", collapse_guard_rows<Params>()),
+         under<Params>("Keep", {tuning(feature_angle_row<Params>())})});
   }
 
   static ResultRows<Report, Params> results() {
@@ -52,16 +61,7 @@ struct AlgebraicSphereFilter {
   }
 
  private:
-  static constexpr Reference michaud_mellado_paulin = {
-      "J. Michaud, N. Mellado, M. Paulin", "Mesh simplification with curvature error metric",
-      "Eurographics posters, 2017"};
-  static constexpr Reference guennebaud = {
-      "G. Guennebaud, M. Germann, M. Gross",
-      "Dynamic sampling and rendering of algebraic point set surfaces",
-      "Computer Graphics Forum 27(2), 2008"};
-  static constexpr Reference lindstrom_turk = {"P. Lindstrom, G. Turk",
-                                               "Fast and memory efficient polygonal simplification",
-                                               "IEEE Visualization 1998"};
+  static constexpr Reference michaud = {"Michaud, Mellado, Paulin", "Eurographics posters, 2017"};
 
   static ParameterRows<Params> kernel_rows() {
     return {row<Params>(
@@ -101,6 +101,7 @@ struct AlgebraicSphereFilter {
 
   static ParameterRow<Params> sweeps_row() {
     return refine_sweeps_row<Params>(
+        "Refinement sweeps (0: none)",
         {"After the collapses each sweep moves the vertices to where both surfaces come closest "
          "and flips edges where that helps; the number of faces stays. 3 take about a sixth off "
          "the error, and several times the time. 0: none, and none with <i>Maximum error</i>.",

@@ -2,12 +2,16 @@
 // Results that several filters have.
 #pragma once
 
+#include <cmath>
 #include <initializer_list>
+#include <iomanip>
+#include <sstream>
 #include <string>
 
 #include "filter_curvdecim/table/filter.h"
 #include "filter_curvdecim/table/joined.h"
 #include "vcg_ext/report.h"
+#include "vcg_ext/run/grouped.h"
 
 namespace curvdecim::glue {
 
@@ -107,6 +111,17 @@ ResultRows<R, P> collapse_results() {
            "collapses", {Rejection::LinkCondition, Rejection::NormalFlip, Rejection::TriangleShape,
                          Rejection::ErrorBound, Rejection::HubAtRest}),
        {seconds_result<R, P>()}});
+}
+
+/// "5,804 faces became 1,160 in 0.012 s."
+inline std::string headline_of(const DecimationReport& report) {
+  std::ostringstream seconds;
+  if (report.seconds < 10.0)
+    seconds << std::setprecision(2) << report.seconds;
+  else
+    seconds << std::llround(report.seconds);
+  return detail::grouped(report.faces_before) + " faces became " + detail::grouped(report.faces) +
+         " in " + seconds.str() + " s.";
 }
 
 /// Every decimation that does something takes faces or vertices away.

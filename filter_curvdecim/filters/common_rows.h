@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "filter_curvdecim/table/parameter_row.h"
 #include "vcg_ext/params.h"
@@ -30,41 +31,41 @@ ParameterRow<P> target_faces_row(
 template <class P>
 ParameterRow<P> target_fraction_row() {
   return row<P>(
-      &P::target_fraction, "TargetPerc", "Fraction of the faces (0..1; 0: not used)",
+      &P::target_fraction, "TargetPerc", "Fraction of the faces (0..1)",
       {"0.2 keeps a fifth of the faces, of the selected ones with <i>Simplify only selected "
        "faces</i>. 0: not used; otherwise it wins over <i>Target number of faces</i>.",
-       "0.2 keeps a fifth of the faces. Wins over the number of faces."});
+       "0.2 keeps a fifth and wins over the number. 0: not used."});
 }
 
 template <class P>
 ParameterRow<P> target_vertices_row() {
   return row<P>(
-      &P::target_vertices, "TargetVertNum", "Target number of vertices (0: not used)",
+      &P::target_vertices, "TargetVertNum", "Target number of vertices",
       {"Stop at this many vertices of the whole mesh. 0: not used; otherwise it wins over "
        "<i>Target number of faces</i>.",
-       "Stop at this many vertices. Wins over the number of faces."});
+       "Wins over the number of faces. 0: not used."});
 }
 
 template <class P>
 ParameterRow<P> max_error_row() {
   return row<P>(
-      &P::max_error, "MaxError", "Maximum error (0: no bound)",
+      &P::max_error, "MaxError", "Maximum error",
       {"No point of the result is further from the original surface than this, and no point of the "
        "original further from the result. Given as a length or as per cent of the bounding box's "
        "diagonal. Together with a target, whichever comes first stops. 0: no bound.",
-       "No point of either surface is further than this from the other."});
+       "No point of either surface is further from the other. 0: no bound."});
 }
 
 /// The targets of a decimation step by step.
 template <class P>
 ParameterRows<P> target_rows() {
-  return {target_faces_row<P>(), target_fraction_row<P>(), target_vertices_row<P>(),
-          max_error_row<P>()};
+  return {also_for_papers(target_faces_row<P>()), target_fraction_row<P>(),
+          tuning(target_vertices_row<P>()), max_error_row<P>()};
 }
 
 template <class P>
-ParameterRow<P> refine_sweeps_row(const ParameterText& text) {
-  return row<P>(&P::refine_sweeps, "RefineSweeps", "Refinement sweeps (preset Custom)", text);
+ParameterRow<P> refine_sweeps_row(const std::string& label, const ParameterText& text) {
+  return row<P>(&P::refine_sweeps, "RefineSweeps", label, text);
 }
 
 template <class P>
@@ -90,7 +91,7 @@ ParameterRow<P> preserve_normal_row(
     const ParameterText& text = {
         "Refuse a step that turns a face by more than <i>Largest turn of a face</i>. Switch off "
         "only when folded faces do not matter.",
-        "Up to the angle below."}) {
+        "Up to <i>Largest turn of a face</i>."}) {
   return row<P>(&P::preserve_normal, "PreserveNormal", "Preserve normal", text);
 }
 
@@ -116,7 +117,7 @@ ParameterRow<P> preserve_topology_row() {
 template <class P>
 ParameterRow<P> join_borders_row() {
   return row<P>(
-      &P::join_borders, "JoinBorders", "Join borders that lie on each other",
+      &P::join_borders, "JoinBorders", "Join borders that coincide",
       {"Neighbours that share no vertex, as in files that list every face by itself, become one "
        "surface where border edges lie on each other exactly. Vertices that differ in colour or "
        "texture come out as copies in one place. Off: such seams count as borders.",
@@ -129,18 +130,18 @@ template <class P>
 ParameterRows<P> collapse_guard_rows() {
   return {
       preserve_boundary_row<P>(),
-      boundary_weight_row<P>(),
-      preserve_normal_row<P>(
+      tuning(boundary_weight_row<P>()),
+      tuning(preserve_normal_row<P>(
           {"A step that turns a face by more than <i>Largest turn of a face</i> costs by the "
            "face's size, so that only slivers turn, and none may fold back onto its neighbour. "
            "Switch off only when folded faces do not matter.",
-           "Beyond the angle below only slivers turn."}),
-      normal_angle_row<P>(
+           "Beyond <i>Largest turn of a face</i> only slivers turn."})),
+      tuning(normal_angle_row<P>(
           {"Used with <i>Preserve normal</i>. Less keeps the orientation of faces closer; above "
            "90 faces may flip.",
-           "Less keeps faces closer; above 90 they may flip."}),
+           "Less keeps faces closer; above 90 they may flip."})),
       preserve_topology_row<P>(),
-      join_borders_row<P>()};
+      tuning(join_borders_row<P>())};
 }
 
 template <class P>
@@ -148,9 +149,8 @@ ParameterRow<P> feature_angle_row(
     const ParameterText& text = {
         "An edge between faces whose normals differ by at least this is sharp, and is kept like a "
         "border. 180: no edge is.",
-        "Edges with at least this angle between their faces are kept."}) {
-  return row<P>(&P::feature_angle, "FeatureAngle", "Feature angle (degrees; 180: no features)",
-                text);
+        "Edges with at least this angle are kept. 180: none."}) {
+  return row<P>(&P::feature_angle, "FeatureAngle", "Feature angle (degrees)", text);
 }
 
 template <class P>
@@ -175,12 +175,6 @@ template <class P>
 ParameterRow<P> threads_row() {
   return row<P>(&P::threads, "Threads", "Number of threads (0: all cores)",
                 {"0: all cores. It never changes the result.", "It never changes the result."});
-}
-
-/// The end of the dialog of a decimation step by step.
-template <class P>
-ParameterRows<P> last_rows() {
-  return {selected_row<P>(), quality_weight_row<P>(), threads_row<P>()};
 }
 
 }  // namespace curvdecim::glue

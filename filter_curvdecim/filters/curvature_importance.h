@@ -70,23 +70,29 @@ struct CurvatureImportanceFilter {
 
   static Changes changed(const Report& report) { return {false, is_done(report)}; }
 
+  static std::string headline(const Report& report) {
+    return is_done(report) ? "Every vertex has its value as quality and as colour." : "";
+  }
+
   static About about() {
-    return {"Curvature Importance",
-            "compute_scalar_by_curvature_importance",
-            Category::QualityMeasure,
-            {false, true},
-            "Write to the quality of every vertex, and show as colour, what the metric "
-            "CurvatureWeighted of <i>Simplification: Curvature-Enhanced Edge Collapse</i> sees "
-            "with the same parameters: the curvature, or the factor by which the cost of a "
-            "collapse is multiplied. Places with high values keep their faces longest. The shape "
-            "of the mesh does not change.<br>Red is low and blue is high. Curvature is coloured "
-            "from its 5th to its 95th percentile, because a few spikes would hide the rest; the "
-            "factor always from 0 to 1, so that settings can be compared." +
-                bibliography({pellizzoni_savio})};
+    return {
+        "Curvature Importance",
+        "compute_scalar_by_curvature_importance",
+        Category::QualityMeasure,
+        {false, true},
+        "Show what edge collapse keeps when you simplify (decimate, reduce)." +
+            bibliography({pellizzoni_savio}),
+        "Write to the quality of every vertex, and show as colour, what the metric "
+        "CurvatureWeighted of <i>Simplification: Curvature-Enhanced Edge Collapse</i> sees with "
+        "the same parameters: the curvature, or the factor by which the cost of a collapse is "
+        "multiplied. Places with high values keep their faces longest. Red is low and blue is "
+        "high. Curvature is coloured from its 5th to its 95th percentile, because a few spikes "
+        "would hide the rest; the factor always from 0 to 1, so that settings can be compared."};
   }
 
   static ParameterRows<Params> parameters() {
-    return joined<ParameterRow<Params>>({curvature_rows<Params>(), {output_row()}});
+    return joined<ParameterRow<Params>>(
+        {{output_row(), curvature_floor_row<Params>()}, for_papers(alpha_rows<Params>())});
   }
 
   static ResultRows<Report, Params> results() {

@@ -8,16 +8,15 @@
 
 namespace curvdecim::glue {
 
-constexpr Reference pellizzoni_savio = {
-    "P. Pellizzoni, G. Savio", "Mesh simplification by curvature-enhanced quadratic error metrics",
-    "Journal of Computer Science 16(8), 2020"};
+constexpr Reference pellizzoni_savio = {"Pellizzoni, Savio",
+                                        "Journal of Computer Science 16(8), 2020"};
 
 template <class P>
 ParameterRow<P> alpha_row() {
   return row<P>(
-      &P::alpha, "Alpha", "Curvature weight (alpha; 0: infinite)",
+      &P::alpha, "Alpha", "Curvature weight (alpha)",
       {"CurvatureWeighted multiplies the cost by F + (1 - F) (1 - exp(-alpha k&sup2;)), where F is "
-       "the <i>Factor of flat places</i> and k the curvature, 1 where the most curved fifth of the "
+       "the <i>Weight of flat places</i> and k the curvature, 1 where the most curved fifth of the "
        "area begins. With the unit ModelUnits the factor is the paper's 1 - exp(-alpha k). A small "
        "alpha protects only the most curved places; a large one brings the factor to 1 everywhere. "
        "0 or less: infinite, that is plain quadrics.",
@@ -27,13 +26,14 @@ ParameterRow<P> alpha_row() {
 template <class P>
 ParameterRow<P> curvature_floor_row() {
   return row<P>(
-      &P::curvature_floor, "CurvatureFloor", "Factor of flat places",
-      {"F in the formula of <i>Curvature weight</i>: the factor where the curvature is 0, with the "
+      &P::curvature_floor, "CurvatureFloor", "Weight of flat places",
+      {"How much flat places count beside curved ones. F in the formula of <i>Curvature "
+       "weight</i>: the factor where the curvature is 0, with the "
        "unit ScaleFree. Lower spends more triangles on curved places and fewer on flat ones: the "
        "default takes about a tenth off the error of the most curved fifth of the area for a "
        "fiftieth more on the whole, 0.01 about a quarter for a quarter more. 1 is plain quadrics. "
        "With ModelUnits it is 0, as in the paper.",
-       "Lower protects curved places more (strong: 0.01); 1: plain quadrics."});
+       "1: as much as curved ones; lower gives these more faces (strong: 0.01)."});
 }
 
 template <class P>
@@ -72,10 +72,10 @@ ParameterRow<P> curvature_of_row() {
         "the mesh as it is after each collapse, as in the paper"}});
 }
 
+/// What repeats a paper, beside the floor.
 template <class P>
-ParameterRows<P> curvature_rows() {
-  return {alpha_row<P>(), curvature_floor_row<P>(), alpha_units_row<P>(), curvature_kind_row<P>(),
-          curvature_of_row<P>()};
+ParameterRows<P> alpha_rows() {
+  return {alpha_row<P>(), alpha_units_row<P>(), curvature_kind_row<P>(), curvature_of_row<P>()};
 }
 
 }  // namespace curvdecim::glue

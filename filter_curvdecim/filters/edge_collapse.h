@@ -23,29 +23,35 @@ struct EdgeCollapseFilter {
 
   static Changes changed(const Report& report) { return change_of_shape(report); }
 
+  static std::string headline(const Report& report) {
+    return changed(report).shape ? headline_of(report) : "";
+  }
+
   static About about() {
     return {"Simplification: Curvature-Enhanced Edge Collapse",
             "meshing_decimation_curvature_edge_collapse",
             Category::Remeshing,
             {true, false},
-            // A line and a paper in the highest dialog: more would push its buttons off a full HD
-            // screen.
-            "<nobr>Collapse edges by quadrics (Garland, Heckbert) and keep what is curved, borders "
-            "and sharp "
-            "edges. <i>Curvature Importance</i> shows what is protected.</nobr>" +
-                bibliography({pellizzoni_savio})};
+            "Simplify (decimate, reduce); what is curved keeps more faces." +
+                bibliography({pellizzoni_savio}),
+            "Edges collapse where a quadric error (Garland, Heckbert) is least; curved places, "
+            "borders and sharp edges keep more faces. A closed manifold stays one. <i>Curvature "
+            "Importance</i> shows what is protected."};
   }
 
   static ParameterRows<Params> parameters() {
-    return joined<ParameterRow<Params>>({target_rows<Params>(),
-                                         {preset_row(), metric_row()},
-                                         curvature_rows<Params>(),
-                                         additive_rows(),
-                                         custom_quadric_rows(),
-                                         custom_run_rows(),
-                                         collapse_guard_rows<Params>(),
-                                         {pair_distance_row(), feature_angle_row<Params>()},
-                                         last_rows<Params>()});
+    return joined<ParameterRow<Params>>(
+        {target_rows<Params>(),
+         {also_for_papers(preset_row()), curvature_floor_row<Params>(), selected_row<Params>(),
+          tuning(quality_weight_row<Params>()), tuning(threads_row<Params>())},
+         for_papers<Params>({metric_row()}),
+         for_papers(alpha_rows<Params>()),
+         for_papers(additive_rows()),
+         for_papers(custom_quadric_rows()),
+         for_papers(custom_run_rows()),
+         for_papers<Params>({pair_distance_row()}),
+         under<Params>("Keep", collapse_guard_rows<Params>()),
+         under<Params>("Keep", {tuning(feature_angle_row<Params>())})});
   }
 
   static ResultRows<Report, Params> results() {
@@ -70,34 +76,34 @@ struct EdgeCollapseFilter {
         "Speed against quality, as a named setting of <i>Quadrics</i>, <i>Weight of a plane</i>, "
         "<i>Placement</i>, <i>Scheduler</i> and <i>Refinement sweeps</i>. The metric and its "
         "weights stay as given.",
-        {{Preset::Fast, "", "memoryless quadrics, few rounds: the least time"},
-         {Preset::Balanced, "", "more rounds: lower error"},
-         {Preset::Best, "slower",
+        {{Preset::Fast, "least time", "memoryless quadrics, few rounds: the least time"},
+         {Preset::Balanced, "little error, fast", "more rounds: lower error"},
+         {Preset::Best, "a sixth less error, slower",
           "the same, then the result is fitted to the input: slower, a sixth less error"},
-         {Preset::Custom, "as below", "every parameter as given below"}});
+         {Preset::Custom, "by the parameters below", "every parameter as given below"}});
   }
 
   static ParameterRow<Params> metric_row() {
     return enum_row<Params>(
         &Params::metric, "Metric", "Cost of an edge", "What decides which edge is collapsed next.",
-        {{Metric::Quadric, "plain",
+        {{Metric::Quadric, "all places alike",
           "squared distance to the planes of the faces around (Garland and Heckbert)"},
-         {Metric::CurvatureWeighted, "",
+         {Metric::CurvatureWeighted, "more where curved",
           "the same, times a factor that grows with the curvature (Pellizzoni and Savio)"},
-         {Metric::CurvatureAdditive, "plus bend",
+         {Metric::CurvatureAdditive, "more where bent",
           "the same, plus a term that grows with the bend at the edge (Yao and others)"}});
   }
 
   static ParameterRows<Params> additive_rows() {
     return {
         row<Params>(
-            &Params::lambda, "Lambda", "Weight of the additive term (lambda)",
+            &Params::lambda, "Lambda", "Weight of the bend (lambda)",
             {"CurvatureAdditive adds lambda times the bend at the edge to the cost, with lengths "
              "relative to the bounding box's diagonal. More lowers the largest error and raises "
              "the mean one a little. 0 is plain quadrics.",
              "Weight of the bend at the edge; 0 is plain quadrics."}),
         enum_row<Params>(
-            &Params::curvature_term, "CurvatureTerm", "Reading of the additive term",
+            &Params::curvature_term, "CurvatureTerm", "Reading of the bend",
             "The printed formula has two readings; only CurvatureAdditive uses it.",
             {{CurvatureTerm::Melax, "turn of the faces around",
               "edge length times the largest turn from the edge's own faces to a face around: the "
@@ -108,39 +114,39 @@ struct EdgeCollapseFilter {
 
   static ParameterRows<Params> custom_quadric_rows() {
     constexpr const char* help = "Used with the preset Custom.";
-    return {enum_row<Params>(&Params::quadrics, "Quadrics", "Quadrics (preset Custom)", help,
+    return {enum_row<Params>(&Params::quadrics, "Quadrics", "Quadrics (Custom)", help,
                              {{Quadrics::Memoryless, "lower error",
                                "computed from the current mesh: lower error (Lindstrom and Turk)"},
                               {Quadrics::Accumulated, "faster",
                                "summed up along the collapses: faster (Garland and Heckbert)"}}),
             enum_row<Params>(
-                &Params::plane_weight, "PlaneWeight", "Weight of a plane (preset Custom)", help,
+                &Params::plane_weight, "PlaneWeight", "Weight of a plane (Custom)", help,
                 {{PlaneWeight::Area, "by the area of the face",
                   "a plane counts by the area of its face: independent of the tessellation"},
                  {PlaneWeight::Unit, "all alike, as in the papers",
                   "every plane counts 1, as in the papers"}}),
-            enum_row<Params>(
-                &Params::placement, "Placement", "Placement (preset Custom)", help,
-                {{Placement::Optimal, "free", "where the quadric error is least"},
-                 {Placement::Line, "along", "where it is least on the edge"},
-                 {Placement::EndpointOrMidpoint, "", "the best of both ends and the midpoint"},
-                 {Placement::HalfEdge, "an end",
-                  "the better end: the result has original vertices only"}})};
+            enum_row<Params>(&Params::placement, "Placement", "Placement (Custom)", help,
+                             {{Placement::Optimal, "free", "where the quadric error is least"},
+                              {Placement::Line, "along", "where it is least on the edge"},
+                              {Placement::EndpointOrMidpoint, "ends or middle",
+                               "the best of both ends and the midpoint"},
+                              {Placement::HalfEdge, "an end",
+                               "the better end: the result has original vertices only"}})};
   }
 
   static ParameterRows<Params> custom_run_rows() {
     return {
         enum_row<Params>(
-            &Params::scheduler, "Scheduler", "Scheduler (preset Custom)",
-            "Used with the preset Custom.",
-            {{Scheduler::Rounds, "",
+            &Params::scheduler, "Scheduler", "Scheduler (Custom)", "Used with the preset Custom.",
+            {{Scheduler::Rounds, "on all cores",
               "many collapses at once on all cores, the cheapest that lie apart"},
              {Scheduler::Lazy, "strict order",
               "one by one, cheapest first; costs are brought up to date when they come up"},
              {Scheduler::Eager, "lower error",
               "one by one, cheapest first; costs around are brought up to date at once"},
-             {Scheduler::FewRounds, "", "as Rounds, with more collapses a round"}}),
+             {Scheduler::FewRounds, "faster", "as Rounds, with more collapses a round"}}),
         refine_sweeps_row<Params>(
+            "Refinement sweeps (Custom)",
             {"After the collapses each sweep moves the vertices to where both surfaces come "
              "closest and flips edges where that helps; the number of faces stays. 0: none, and "
              "none with <i>Maximum error</i> or the placement HalfEdge. Used with the preset "
@@ -150,14 +156,14 @@ struct EdgeCollapseFilter {
 
   static ParameterRow<Params> pair_distance_row() {
     return row<Params>(
-        &Params::pair_distance, "PairDistance", "Join what is closer than (0: nothing)",
+        &Params::pair_distance, "PairDistance", "Join closer than",
         {"Two vertices that no edge connects may merge, too, where they were closer than this in "
          "the input: parts join and gaps close, and many small parts become few instead of "
          "vanishing (Garland and Heckbert). Given as a length or as per cent of the bounding box's "
          "diagonal. Turns <i>Preserve topology</i> off, and the presets to one step at a time; "
          "edges of three faces may result. Not together with <i>Maximum error</i>. 0: only edges "
          "collapse.",
-         "Turns <i>Preserve topology</i> off."});
+         "Parts join across gaps. Turns <i>Preserve topology</i> off. 0: nothing."});
   }
 };
 

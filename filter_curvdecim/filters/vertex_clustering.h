@@ -26,17 +26,20 @@ struct VertexClusteringFilter {
   /// A run that made cells changed the mesh, even where no vertex is gone.
   static Changes changed(const Report& report) { return {report.cell_size > 0.0, false}; }
 
+  static std::string headline(const Report& report) {
+    return changed(report).shape ? headline_of(report) : "";
+  }
+
   static About about() {
     return {"Simplification: Vertex Clustering with Representatives",
             "meshing_decimation_vertex_clustering",
             Category::Remeshing,
             {true, false},
-            "Put a grid over the mesh and make one vertex of all in a cell: the fastest way to a "
-            "coarse mesh, of any input. No vertex moves further than the size of a cell, and with "
-            "<i>Simplify only selected faces</i> the rest stays. Thin parts may vanish and edges "
-            "get more than two faces; edge collapse keeps both, and more of the shape. The log "
-            "says what was done." +
-                bibliography({rossignac_borrel, lindstrom, ciolczyk_janczykowski})};
+            "Simplify (decimate, reduce) in the least time, by a grid." +
+                bibliography({rossignac_borrel, lindstrom}),
+            "One vertex of all in a cell of a grid: the fastest way to a coarse mesh, of any "
+            "input. No vertex moves further than the size of a cell. Thin parts may vanish and "
+            "edges get more than two faces; edge collapse keeps both, and more of the shape."};
   }
 
   static ParameterRows<Params> parameters() {
@@ -44,12 +47,12 @@ struct VertexClusteringFilter {
             faces_row(),
             target_fraction_row<Params>(),
             representative_row(),
-            mean_weight_row(),
             manifold_edges_row(),
-            weight_row(),
             selected_row<Params>(),
-            quality_row(),
-            threads_row<Params>()};
+            tuning(mean_weight_row()),
+            tuning(weight_row()),
+            tuning(quality_row()),
+            tuning(threads_row<Params>())};
   }
 
   static ResultRows<Report, Params> results() {
@@ -67,13 +70,9 @@ struct VertexClusteringFilter {
   }
 
  private:
-  static constexpr Reference rossignac_borrel = {"J. Rossignac, P. Borrel",
-                                                 "Multi-resolution 3D approximations for rendering",
+  static constexpr Reference rossignac_borrel = {"Rossignac, Borrel",
                                                  "Modeling in Computer Graphics, 1993"};
-  static constexpr Reference lindstrom = {
-      "P. Lindstrom", "Out-of-core simplification of large models", "SIGGRAPH 2000"};
-  static constexpr Reference ciolczyk_janczykowski = {
-      "M. Ciolczyk, M. Janczykowski", "Mesh simplification: vertex clustering", "slides"};
+  static constexpr Reference lindstrom = {"Lindstrom", "SIGGRAPH 2000"};
 
   static Value percent_of_diagonal(const MeshFacts& mesh) {
     return std::isfinite(mesh.diagonal) ? 0.01 * mesh.diagonal : 0.0;
@@ -105,12 +104,12 @@ struct VertexClusteringFilter {
         {{Representative::Quadric, "lowest error",
           "where the squared distance to the planes of the faces is least, or, where that leaves a "
           "choice, near the mean: the lowest error (Lindstrom)"},
-         {Representative::Mean, "", "the mean of the cell's vertices"},
+         {Representative::Mean, "smooth", "the mean of the cell's vertices"},
          {Representative::WeightedMean, "as below", "the same, with the weights chosen below"},
          {Representative::Median, "an original vertex",
           "the vertex nearest to the median of every coordinate: the result has original vertices "
           "only"},
-         {Representative::CellCenter, "", "the middle of the cell"}});
+         {Representative::CellCenter, "a regular pattern", "the middle of the cell"}});
   }
 
   static ParameterRow<Params> mean_weight_row() {
@@ -119,7 +118,7 @@ struct VertexClusteringFilter {
         "What a vertex counts in the representative WeightedMean.",
         {{MeanWeight::Area, "of the faces around",
           "the area around it: independent of the tessellation"},
-         {MeanWeight::Curvature, "",
+         {MeanWeight::Curvature, "drawn to what is curved",
           "the area around it times its curvature |k1| + |k2|: drawn to what is curved"},
          {MeanWeight::Quality, "of the vertex",
           "its quality: paint or compute a high one on what matters"}});

@@ -88,28 +88,32 @@ struct VertexRemovalFilter {
     return {change_of_shape(report).shape, report.classes.has_value()};
   }
 
+  static std::string headline(const Report& report) {
+    if (changed(report).shape) return headline_of(report);
+    return report.classes ? "Every vertex has its class as quality and as colour." : "";
+  }
+
   static About about() {
-    constexpr Reference schroeder = {"W. J. Schroeder, J. A. Zarge, W. E. Lorensen",
-                                     "Decimation of triangle meshes", "SIGGRAPH 1992"};
-    return {"Simplification: Vertex Removal (Schroeder)",
-            "meshing_decimation_vertex_removal",
-            Category::Remeshing,
-            {true, true},
-            "Remove vertices one by one, those nearest to the surface that is left first, and fill "
-            "the holes with triangles. The vertices that stay are vertices of the input and keep "
-            "all that they carry, to the bit. A manifold stays one. Edge collapse moves vertices "
-            "and has a lower error. The log says what was done." +
-                bibliography({schroeder}),
-            {"preserve_topology", "join_borders"}};
+    constexpr Reference schroeder = {"Schroeder, Zarge, Lorensen", "SIGGRAPH 1992"};
+    return {
+        "Simplification: Vertex Removal (Schroeder)",
+        "meshing_decimation_vertex_removal",
+        Category::Remeshing,
+        {true, true},
+        "Simplify (decimate, reduce) to some of the original vertices." + bibliography({schroeder}),
+        "Vertices go one by one, those nearest to the surface that is left first, and the holes "
+        "are filled with triangles. Those that stay keep all that they carry, to the bit. A "
+        "manifold stays one. Edge collapse moves vertices and has a lower error.",
+        {"preserve_topology", "join_borders"}};
   }
 
   static ParameterRows<Params> parameters() {
     return joined<ParameterRow<Params>>(
         {target_rows<Params>(),
-         {distance_bound_row(), criterion_row(), aspect_ratio_min_row(), preserve_features_row(),
-          show_classes_row()},
-         guard_rows(),
-         last_rows<Params>()});
+         {selected_row<Params>(), show_classes_row(), tuning(quality_weight_row<Params>()),
+          tuning(threads_row<Params>())},
+         for_papers<Params>({criterion_row(), distance_bound_row(), aspect_ratio_min_row()}),
+         under<Params>("Keep", guard_rows())});
   }
 
   static ResultRows<Report, Params> results() {
@@ -127,12 +131,12 @@ struct VertexRemovalFilter {
  private:
   static ParameterRow<Params> distance_bound_row() {
     return row<Params>(
-        &Params::distance_bound, "DistanceBound", "Bound on accumulated distances (0: none)",
+        &Params::distance_bound, "DistanceBound", "Accumulated distance",
         {"The distances between old and new faces add up at the vertices around. A vertex stays "
          "whose removal would bring the sum above this. No point of the result is then further "
          "from the original surface, nor the other way round: the same promise as <i>Maximum "
-         "error</i>, the smaller of both counts.",
-         "No sum of distances is larger, and so no error."});
+         "error</i>, the smaller of both counts. 0: none.",
+         "No sum of distances is larger, and so no error. 0: no bound."});
   }
 
   static ParameterRow<Params> criterion_row() {
@@ -181,16 +185,18 @@ struct VertexRemovalFilter {
                 {"The distance of a border vertex to the new border counts. Switch off to let "
                  "borders shrink.",
                  "Distances to open borders count."}),
-            boundary_weight_row<Params>(
+            tuning(boundary_weight_row<Params>(
                 {"Factor on distances to borders and sharp edges in the cost. Raise it to keep "
                  "more vertices on them.",
-                 "Of distances to borders and sharp edges."}),
-            preserve_normal_row<Params>(), normal_angle_row<Params>(),
-            feature_angle_row<Params>(
+                 "Of distances to borders and sharp edges."})),
+            preserve_normal_row<Params>(),
+            tuning(normal_angle_row<Params>()),
+            preserve_features_row(),
+            tuning(feature_angle_row<Params>(
                 {"An edge of the input between faces whose normals differ by at least this is "
                  "sharp: vertices on it go along it, and the loop around them is split there. 180: "
                  "no edge is.",
-                 "Edges with at least this angle between their faces are sharp."})};
+                 "Edges with at least this angle between their faces are sharp."}))};
   }
 
   static ResultRows<Report, Params> class_results() {

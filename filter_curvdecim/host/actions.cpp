@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <string>
+#include <type_traits>
 
 #include "filter_curvdecim/filters/all_filters.h"
 #include "filter_curvdecim/host/rich_parameters.h"
+#include "filter_curvdecim/table/flat_dialogs.h"
 #include "vcg_ext/errors.h"
 
 namespace curvdecim::glue {
@@ -43,10 +45,32 @@ void refresh(MeshModel& mesh, const Changes& changed) {
   if (changed.quality_and_color) mesh.updateDataMask(quality_and_color);
 }
 
+std::vector<Action> all_actions() {
+  std::vector<Action> all;
+  for (const auto& filter : AllFilters::filters<CMeshO>()) {
+    if (dialogs_unfold) {
+      all.push_back({filter, filter.parameters});
+      continue;
+    }
+    for (const FlatDialog& dialog : flat_dialogs(filter)) {
+      all.push_back({filter, dialog.parameters});
+      all.back().about.menu_name = dialog.menu_name;
+      all.back().about.python_name = dialog.python_name;
+    }
+  }
+  return all;
+}
+
+/// Only PyMeshLab's meshes are in double precision.
+std::string name_for_user(const Parameter& parameter) {
+  constexpr bool is_python = std::is_same_v<CMeshO::ScalarType, double>;
+  return is_python ? python_name(parameter) : name_in_dialog(parameter);
+}
+
 }  // namespace
 
 const std::vector<Action>& actions() {
-  static const std::vector<Action> all = AllFilters::filters<CMeshO>();
+  static const std::vector<Action> all = all_actions();
   return all;
 }
 
@@ -73,16 +97,20 @@ int postcondition(const Action& action) {
 }
 
 RichParameterList default_parameters(const Action& action, const MeshModel* mesh) {
-  return rich_parameters(action.parameters, facts_of(mesh));
+  return rich_parameters(action.offered, facts_of(mesh));
 }
 
 Outcome apply(const Action& action, MeshModel* mesh, const RichParameterList& parameters,
               vcg::CallBackPos* callback) {
   if (!mesh) throw InputError("There is no current mesh; load a triangle mesh first.");
   const auto values = read_values(action.parameters, parameters, facts_of(mesh));
-  const Outcome outcome = action.run(mesh->cm, values, progress_of(callback));
-  refresh(*mesh, outcome.changed);
-  return outcome;
+  try {
+    const Outcome outcome = action.run(mesh->cm, values, progress_of(callback));
+    refresh(*mesh, outcome.changed);
+    return outcome;
+  } catch (const InputError& error) {
+    throw in_names_of(action.parameters, error, name_for_user);
+  }
 }
 
 }  // namespace curvdecim::glue

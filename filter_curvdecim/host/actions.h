@@ -9,7 +9,9 @@
 
 namespace curvdecim::glue {
 
-using Action = Filter<CMeshO>;
+struct Action : Filter<CMeshO> {
+  std::vector<Parameter> offered;  ///< in the host's dialog and scripts
+};
 
 const std::vector<Action>& actions();
 

@@ -10,11 +10,27 @@
 using HostFilter = MeshFilterInterface;
 using RichLength = RichAbsPerc;
 
+/// Its dialogs show every parameter at once.
+inline constexpr bool dialogs_unfold = false;
+
+/// A parameter of the host, made of its own arguments.
+template <class Rich, class... Arguments>
+Rich in_place(bool /*advanced*/, const QString& /*heading*/, const Arguments&... arguments) {
+  return Rich(arguments...);
+}
+
 #elif CURVDECIM_HOST_API == 2022
 
 #include <common/plugins/interfaces/filter_plugin.h>
 
 using HostFilter = FilterPlugin;
+
+inline constexpr bool dialogs_unfold = true;
+
+template <class Rich, class... Arguments>
+Rich in_place(bool advanced, const QString& heading, const Arguments&... arguments) {
+  return Rich(arguments..., advanced, heading);
+}
 
 #if __has_include(<common/parameters/rich_parameter/rich_percentage.h>)
 using RichLength = RichPercentage;  // 2025

@@ -26,23 +26,30 @@ double as_typed(float number) {
   return typed;
 }
 
+template <class T>
+struct Tag {
+  using Type = T;
+};
+
 void add_parameter(RichParameterList& list, const Parameter& parameter, const MeshFacts& mesh) {
   const Value value = default_value(parameter, mesh);
+  const bool advanced = parameter.place.audience != Audience::Everyone;
+  const QString heading = QString::fromStdString(parameter.place.heading);
   const QString name = QString::fromStdString(parameter.name);
   const QString label = QString::fromStdString(parameter.label);
   const QString help = QString::fromStdString(dialog_help(parameter));
   // The dialog divides by the diagonal to show per cent.
   const double whole = std::isfinite(mesh.diagonal) && mesh.diagonal > 0.0 ? mesh.diagonal : 1.0;
+  const auto add = [&](auto type, const auto&... values) {
+    using Rich = typename decltype(type)::Type;
+    list.addParam(in_place<Rich>(advanced, heading, name, values..., label, help));
+  };
   switch (parameter.kind) {
-    case Kind::Bool: list.addParam(RichBool(name, std::get<bool>(value), label, help)); break;
-    case Kind::Int: list.addParam(RichInt(name, std::get<int>(value), label, help)); break;
-    case Kind::Float: list.addParam(RichFloat(name, std::get<double>(value), label, help)); break;
-    case Kind::Length:
-      list.addParam(RichLength(name, std::get<double>(value), 0, whole, label, help));
-      break;
-    case Kind::Enum:
-      list.addParam(RichEnum(name, std::get<int>(value), names_of(parameter.choices), label, help));
-      break;
+    case Kind::Bool: return add(Tag<RichBool>(), std::get<bool>(value));
+    case Kind::Int: return add(Tag<RichInt>(), std::get<int>(value));
+    case Kind::Float: return add(Tag<RichFloat>(), std::get<double>(value));
+    case Kind::Length: return add(Tag<RichLength>(), std::get<double>(value), 0, whole);
+    case Kind::Enum: return add(Tag<RichEnum>(), std::get<int>(value), names_of(parameter.choices));
   }
 }
 

@@ -7,6 +7,7 @@
 //   results()                    a row for each result, in the order of the log
 //   run(mesh, params, progress)  returns the report; throws InputError before the mesh is touched
 //   changed(report)              what the run changed
+//   headline(report)             the same in a sentence; empty: nothing
 // Here it becomes a Filter, which looks like any other.
 #pragma once
 
@@ -27,7 +28,8 @@ struct About {
   std::string python_name;
   Category category;
   Changes may_change;
-  std::string info;                               ///< HTML, as hosts show it above the parameters
+  std::string info;  ///< HTML, as hosts show it above the parameters: low dialogs have little room
+  std::string details;                            ///< HTML, for the documentation, after the info
   std::vector<std::string> fields_not_offered{};  ///< members of Params that have no row
 };
 
@@ -41,7 +43,8 @@ struct FilterTable {
 /// A filter for hosts with meshes of this type.
 template <class MeshType>
 struct Filter : FilterTable {
-  /// values: one for each parameter, in their order. Throws InputError; the mesh is then as it was.
+  /// values: one for each parameter, in their order. Throws InputError in the core's names; the
+  /// mesh is then as it was.
   Outcome (*run)(MeshType& mesh, const std::vector<Value>& values, const Progress& progress);
 };
 
@@ -63,12 +66,9 @@ template <class F, class MeshType>
 Outcome run_filter(MeshType& mesh, const std::vector<Value>& values, const Progress& progress) {
   const auto rows = F::parameters();
   const typename F::Params params = with_values(rows, values);
-  try {
-    const typename F::Report report = F::run(mesh, params, progress);
-    return {report.notes, results_of(F::results(), report, params), F::changed(report)};
-  } catch (const InputError& error) {
-    throw in_names_of({rows.begin(), rows.end()}, error);
-  }
+  const typename F::Report report = F::run(mesh, params, progress);
+  return {F::headline(report), report.notes, results_of(F::results(), report, params),
+          F::changed(report)};
 }
 
 template <class... F>

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cstring>
+#include <utility>
 
 namespace curvdecim::glue {
 namespace {
@@ -70,21 +71,26 @@ std::string python_name(const Parameter& parameter) {
   return taken ? name + "_" : name;
 }
 
+std::string name_in_dialog(const Parameter& parameter) {
+  return '\'' + parameter.label + "' (" + parameter.name + ')';
+}
+
 std::string dialog_help(const Parameter& parameter) {
   const std::string& hint = parameter.text.hint;
   const std::string choices = choices_help(parameter.choices);
   return hint + (hint.empty() || choices.empty() ? "" : "<br>") + choices;
 }
 
-InputError in_names_of(const std::vector<Parameter>& parameters, const InputError& error) {
+InputError in_names_of(const std::vector<Parameter>& parameters, const InputError& error,
+                       std::string (*shown)(const Parameter&)) {
   std::string message = error.what();
   std::vector<std::string> names = error.fields;
   for (std::string& name : names) {
     const auto parameter = std::find_if(parameters.begin(), parameters.end(),
                                         [&](const Parameter& each) { return each.field == name; });
     if (parameter == parameters.end()) continue;
-    rename(message, name, parameter->name);
-    name = parameter->name;
+    const std::string field = std::exchange(name, shown(*parameter));
+    rename(message, field, name);
   }
   return InputError(message, names);
 }

@@ -45,6 +45,20 @@ struct ParameterText {
   std::string hint;  ///< for the dialog, which cuts longer texts off; may be empty for an Enum
 };
 
+/// Who needs a parameter.
+enum class Audience {
+  Everyone,
+  Tuning,  ///< those who tune: in a dialog that unfolds, on demand
+  Papers,  ///< those who repeat a paper: the same
+};
+
+/// Where a dialog shows a parameter.
+struct Place {
+  std::string heading = {};  ///< bold, above it; dialogs sort by it, after what has none
+  Audience audience = Audience::Everyone;
+  bool opens_papers = false;  ///< needed with what is for papers, too
+};
+
 struct Parameter {
   std::string name;   ///< as hosts and their scripts have it
   std::string field;  ///< the name of the core's member
@@ -55,6 +69,7 @@ struct Parameter {
   Value fixed_default;
   std::optional<MeshDefault> mesh_default = std::nullopt;  ///< wins over fixed_default
   std::vector<Choice> choices = {};
+  Place place = {};
 };
 
 Value default_value(const Parameter& parameter, const MeshFacts& mesh);
@@ -63,10 +78,14 @@ Value default_value(const Parameter& parameter, const MeshFacts& mesh);
 /// for itself.
 std::string python_name(const Parameter& parameter);
 
+/// As a dialog has it, with the name that scripts use: 'Preset' (Preset).
+std::string name_in_dialog(const Parameter& parameter);
+
 /// The hint, and those of the choices, on a line each where one line is too short, in HTML.
 std::string dialog_help(const Parameter& parameter);
 
-/// The same error with the parameters' names in place of the core's.
-InputError in_names_of(const std::vector<Parameter>& parameters, const InputError& error);
+/// The same error with names that the user knows in place of the core's.
+InputError in_names_of(const std::vector<Parameter>& parameters, const InputError& error,
+                       std::string (*shown)(const Parameter&));
 
 }  // namespace curvdecim::glue

@@ -65,6 +65,30 @@ ParameterRow<Params> row(Member Owner::*member, std::string name, std::string la
       }};
 }
 
+template <class Params>
+ParameterRows<Params> under(const char* heading, ParameterRows<Params> rows) {
+  for (auto& row : rows) row.place.heading = heading;
+  return rows;
+}
+
+template <class Params>
+ParameterRow<Params> tuning(ParameterRow<Params> row) {
+  row.place.audience = Audience::Tuning;
+  return row;
+}
+
+template <class Params>
+ParameterRows<Params> for_papers(ParameterRows<Params> rows) {
+  for (auto& row : rows) row.place.audience = Audience::Papers;
+  return rows;
+}
+
+template <class Params>
+ParameterRow<Params> also_for_papers(ParameterRow<Params> row) {
+  row.place.opens_papers = true;
+  return row;
+}
+
 template <class Enum>
 struct ChoiceText {
   Enum constant;

@@ -4,11 +4,11 @@
 namespace curvdecim::glue {
 
 std::string bibliography(std::initializer_list<Reference> references) {
-  // The dialog of MeshLab 2020.09 does not scroll and would be too high for a screen: a line each.
-  std::string html, start = "<br><nobr>See: ";
-  for (const auto& [authors, title, source] : references) {
-    html += start + "<i>" + authors + "</i> <b>\"" + title + "\"</b> " + source + ".</nobr>";
-    start = "<br><nobr>";
+  // A line each: the dialog of MeshLab 2020.09 is too low for what it breaks itself.
+  std::string html, start = "<br>See: ";
+  for (const auto& [authors, source] : references) {
+    html += start + authors + ", " + source + ".";
+    start = "<br>";
   }
   return html;
 }

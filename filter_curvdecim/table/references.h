@@ -8,7 +8,7 @@ namespace curvdecim::glue {
 
 /// A paper that a filter follows.
 struct Reference {
-  const char *authors, *title, *source;
+  const char *authors, *source;
 };
 
 /// The list of references in HTML.

@@ -42,12 +42,13 @@ struct Changes {
 
 /// What a filter tells its host.
 struct Outcome {
+  std::string headline;            ///< what it did, in a sentence; empty: nothing
   std::vector<std::string> notes;  ///< repairs and warnings
   std::vector<Result> results;
   Changes changed;
 };
 
-/// The log of a run: notes first, then "name: value" for each result.
+/// The log of a run: the headline, the notes, then "name: value" for each result that is not 0.
 std::vector<std::string> log_lines(const Outcome& outcome);
 
 /// A row of a filter's results; one without a value after a run is left out.

@@ -56,6 +56,18 @@ class Result:
 
 
 @dataclass(frozen=True)
+class Dialog:
+    """A filter as an entry of MeshLab's menu."""
+
+    menu_name: str
+    parameters: tuple[Parameter, ...]
+
+    def lacks(self, names):
+        """Those of the Python names that it does not ask for, in words."""
+        return ", ".join(sorted(names - {each.python_name for each in self.parameters}))
+
+
+@dataclass(frozen=True)
 class Filter:
     """A filter by its name in MeshLab's menu and in Python."""
 
@@ -64,6 +76,21 @@ class Filter:
     info: str
     parameters: tuple[Parameter, ...]
     results: tuple[Result, ...]
+    flat_dialogs: tuple[Dialog, ...]
+
+    def whole_dialog(self):
+        """Its entry where a dialog unfolds."""
+        return Dialog(self.menu_name, self.parameters)
+
+    def flat_dialog(self, names):
+        """The entry with all these parameters, by Python name, where a dialog does not unfold."""
+        for dialog in self.flat_dialogs:
+            if not dialog.lacks(names):
+                return dialog
+        apart = "; ".join(
+            f"'{each.menu_name}' lacks {each.lacks(names)}" for each in self.flat_dialogs
+        )
+        raise ValueError(f"no filter of MeshLab 2020.09 has all of these: {apart}")
 
     def checked(self, given):
         """The given values by Python name, as PyMeshLab wants them."""
@@ -87,13 +114,20 @@ def read_filters():
 
 
 def _filter(described):
+    parameters = tuple(_parameter(each) for each in described["parameters"])
     return Filter(
         described["menu_name"],
         described["python_name"],
         _plain_text(described["info"]),
-        tuple(_parameter(each) for each in described["parameters"]),
+        parameters,
         tuple(_result(each) for each in described["results"]),
+        tuple(_dialog(each, parameters) for each in described["flat_dialogs"]),
     )
+
+
+def _dialog(described, parameters):
+    asked = [each for each in parameters if each.name in described["parameters"]]
+    return Dialog(described["menu_name"], tuple(asked))
 
 
 def _parameter(described):

@@ -8,10 +8,12 @@ import functools
 import inspect
 import textwrap
 
+import numpy
 import pymeshlab
 
 from .description import read_filters
 from .plugin import load_plugin
+from .search import extend_search
 
 
 @functools.cache
@@ -20,6 +22,7 @@ def load():
     filters = read_filters()
     if not filters.keys() <= set(pymeshlab.filter_list()):
         load_plugin()
+    extend_search()
     functions = {name: filter_function(each) for name, each in filters.items()}
     for name, function in functions.items():
         setattr(pymeshlab.MeshSet, name, function)
@@ -31,13 +34,29 @@ def filter_function(description):
 
     def function(mesh_set, /, **given):
         name, values = description.python_name, description.checked(given)
-        return description.readable(mesh_set.apply_filter(name, **values))
+        try:
+            return description.readable(mesh_set.apply_filter(name, **values))
+        except pymeshlab.PyMeshLabException:
+            let_go_of_log()
+            raise
 
     function.__name__ = function.__qualname__ = description.python_name
     function.__module__ = __package__
     function.__signature__ = _signature(description)
     function.__doc__ = _documentation(description)
     return function
+
+
+def let_go_of_log():
+    """Makes PyMeshLab forget the log of a mesh set, which a filter that failed leaves it with.
+
+    It would write there when it next reads a file, also after the end of that mesh set, and crash.
+    After a filter that succeeded it forgets.
+    """
+    triangle = pymeshlab.Mesh(numpy.eye(3), numpy.array([[0, 1, 2]]))
+    meshes = pymeshlab.MeshSet(verbose=False)
+    meshes.add_mesh(triangle)
+    meshes.apply_filter("compute_normal_per_vertex")
 
 
 def _signature(description):

@@ -21,17 +21,22 @@ TYPES = {
 }
 
 
-def filter_script(filter_name, /, **given):
+def filter_script(filter_name, /, meshlab="2020.09", **given):
     """The text of a script that runs one filter, by its Python name, with these parameters.
 
     The others have their default; a default that depends on the mesh is left to MeshLab, or is
-    that of a mesh without a selection.
+    that of a mesh without a selection. MeshLab and meshlabserver 2020.09 have filters of their own
+    for the settings of papers, and a script for them cannot mix both; name another version of
+    MeshLab for a script that it shall run.
     """
     description = read_filters()[filter_name]
     values = description.checked(given)
+    dialog = description.whole_dialog()
+    if meshlab == "2020.09":
+        dialog = description.flat_dialog(values.keys())
     root = ElementTree.Element("FilterScript")
-    action = ElementTree.SubElement(root, "filter", name=description.menu_name)
-    for parameter in description.parameters:
+    action = ElementTree.SubElement(root, "filter", name=dialog.menu_name)
+    for parameter in dialog.parameters:
         value = values.get(parameter.python_name, parameter.default)
         if value is not None or parameter.type == "bool":
             ElementTree.SubElement(action, "Param", _attributes(parameter, value))

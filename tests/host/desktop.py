@@ -6,8 +6,6 @@ import subprocess
 import time
 from contextlib import contextmanager
 
-SCREEN = "1280x2000x24"  # high enough for a dialog with its help texts
-
 
 def wait_for(condition, seconds, what):
     """The first true answer of condition()."""
@@ -30,9 +28,9 @@ def running(command, **options):
 
 
 @contextmanager
-def screen():
-    """The environment of programs that shall appear on a new virtual screen."""
-    command = ["Xvfb", "-displayfd", "1", "-screen", "0", SCREEN]
+def screen(size):
+    """A new virtual screen of this size, as 1366x768x24."""
+    command = ["Xvfb", "-displayfd", "1", "-screen", "0", size]
     with running(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True) as server:
         yield Screen(":" + server.stdout.readline().strip())
 
@@ -69,9 +67,8 @@ class Screen:
         pairs = (line.split("=") for line in lines)
         return {name: int(value) for name, value in pairs}
 
-    def signature(self):
-        """A hash of what the screen shows."""
-        return self._run("import", "-window", "root", "-format", "%#", "info:-")
+    def close(self, window):
+        self._run("xdotool", "windowclose", window)
 
     def picture(self, file):
         self._run("import", "-window", "root", str(file))

@@ -2,6 +2,7 @@
 // The parameters of all filters: texts, defaults, and the members of the core that they set.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <limits>
@@ -12,6 +13,7 @@
 #include <vector>
 
 #include "filter_curvdecim/filters/all_filters.h"
+#include "filter_curvdecim/table/flat_dialogs.h"
 #include "vcg_ext/errors.h"
 #include "vcg_ext/run/validation.h"
 
@@ -52,14 +54,16 @@ typename F::Params with(const std::string& name, const Value& value) {
   return params;
 }
 
-/// What the core says about a value, as a host shows it; empty: nothing.
+std::string script_name(const Parameter& parameter) { return parameter.name; }
+
+/// What the core says about a value, in the names of scripts; empty: nothing.
 template <class F>
 std::string refusal(const std::string& name, const Value& value) {
   try {
     detail::validate(with<F>(name, value));
     return "";
   } catch (const InputError& error) {
-    return in_names_of(table_of<F>().parameters, error).what();
+    return in_names_of(table_of<F>().parameters, error, script_name).what();
   }
 }
 
@@ -100,7 +104,7 @@ TYPED_TEST(ParameterTable, HasUniqueNames) {
 }
 
 TYPED_TEST(ParameterTable, HasTexts) {
-  EXPECT_NE(TypeParam::about().info.find("<br><nobr>See: "), std::string::npos);
+  EXPECT_NE(TypeParam::about().info.find("<br>See: "), std::string::npos);
   EXPECT_FALSE(TypeParam::parameters().empty());
   for (const auto& row : TypeParam::parameters()) {
     EXPECT_FALSE(row.label.empty()) << row.name;
@@ -122,6 +126,50 @@ std::vector<std::string> visible_lines(const std::string& html) {
       lines.back() += html[i];
   }
   return lines;
+}
+
+/// Otherwise they break, and its buttons move off small screens.
+TYPED_TEST(ParameterTable, LabelsFitTheDialog) {
+  constexpr std::size_t characters = 33;
+  for (const auto& row : TypeParam::parameters())
+    EXPECT_LE(row.label.size(), characters) << row.label;
+}
+
+/// "Balanced:" with nothing behind explains nothing.
+TYPED_TEST(ParameterTable, EveryChoiceHasAHint) {
+  for (const auto& row : TypeParam::parameters())
+    for (const Choice& choice : row.choices) EXPECT_FALSE(choice.hint.empty()) << choice.name;
+}
+
+/// Dialogs sort by headings, and leave a heading alone when all below it is folded.
+TYPED_TEST(ParameterTable, EveryHeadingHasARowThatIsNeverFolded) {
+  std::map<std::string, bool> shown;
+  for (const auto& row : TypeParam::parameters())
+    shown[row.place.heading] |= row.place.audience == Audience::Everyone;
+  for (const auto& [heading, has_row] : shown) EXPECT_TRUE(has_row) << heading;
+}
+
+/// Of MeshLab 2020.09, whose dialogs neither unfold nor scroll.
+TYPED_TEST(ParameterTable, FlatDialogsAreLowAndHaveEveryParameter) {
+  constexpr std::size_t most_rows = 17;
+  std::set<std::string> names, all, menu_names;
+  for (const FlatDialog& dialog : flat_dialogs(table_of<TypeParam>())) {
+    EXPECT_LE(dialog.parameters.size(), most_rows) << dialog.menu_name;
+    EXPECT_TRUE(menu_names.insert(dialog.menu_name).second) << dialog.menu_name;
+    for (const Parameter& parameter : dialog.parameters) names.insert(parameter.name);
+  }
+  for (const auto& row : TypeParam::parameters()) all.insert(row.name);
+  EXPECT_EQ(names, all);
+}
+
+TEST(FlatDialogs, OfPapersHaveTheTargetAndThePreset) {
+  const std::vector<FlatDialog> dialogs = flat_dialogs(table_of<EdgeCollapseFilter>());
+  ASSERT_EQ(dialogs.size(), 2u);
+  for (const char* name : {"TargetFaceNum", "Preset"})
+    for (const FlatDialog& dialog : dialogs)
+      EXPECT_TRUE(std::any_of(dialog.parameters.begin(), dialog.parameters.end(),
+                              [&](const Parameter& each) { return each.name == name; }))
+          << dialog.menu_name;
 }
 
 /// MeshLab 2020.09 gives a text that it breaks itself less height than it takes, but for two lines.
@@ -224,7 +272,14 @@ TEST(Refusal, NamesParameterValueAndRange) {
 /// A message of the core as users of the edge collapse read it.
 std::string translated(const std::string& message, const std::vector<std::string>& fields) {
   const auto parameters = table_of<EdgeCollapseFilter>().parameters;
-  return in_names_of(parameters, InputError(message, fields)).what();
+  return in_names_of(parameters, InputError(message, fields), script_name).what();
+}
+
+TEST(Refusal, HasTheLabelOfADialogWithTheNameInScripts) {
+  const auto parameters = table_of<EdgeCollapseFilter>().parameters;
+  const InputError error("max_error is -1.", {"max_error"});
+  EXPECT_STREQ(in_names_of(parameters, error, name_in_dialog).what(),
+               "'Maximum error' (MaxError) is -1.");
 }
 
 TEST(Refusal, HasTheHostsNamesForWholeWordsOfTheListedFields) {
@@ -240,7 +295,8 @@ TEST(Refusal, HasTheHostsNamesForWholeWordsOfTheListedFields) {
 TEST(Refusal, KeepsTheListOfNames) {
   const auto parameters = table_of<EdgeCollapseFilter>().parameters;
   const InputError error("alpha and unknown", {"alpha", "unknown"});
-  EXPECT_EQ(in_names_of(parameters, error).fields, (std::vector<std::string>{"Alpha", "unknown"}));
+  EXPECT_EQ(in_names_of(parameters, error, script_name).fields,
+            (std::vector<std::string>{"Alpha", "unknown"}));
 }
 
 template <class F>

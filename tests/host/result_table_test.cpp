@@ -109,13 +109,48 @@ TEST(ResultTable, ValuesAreThoseOfTheReport) {
   report.faces = 7, report.cost_last = 0.1, report.stopped_by = StopReason::NothingLeft;
   report.rejected[Rejection::LoopSplit] = 3;
   report.classes = ClassCounts{1, 2, 30, 4, 5};
-  const std::vector<std::string> lines = log_lines(
-      {{"A note."}, results_of(VertexRemovalFilter::results(), report, RemovalParams()), {}});
+  const std::vector<std::string> lines =
+      log_lines({"A sentence.",
+                 {"A note."},
+                 results_of(VertexRemovalFilter::results(), report, RemovalParams()),
+                 {}});
   const std::set<std::string> found(lines.begin(), lines.end());
-  EXPECT_EQ(lines.front(), "A note.");
+  EXPECT_EQ(lines[0], "A sentence.");
+  EXPECT_EQ(lines[1], "A note.");
   for (const char* line : {"faces: 7", "cost_last: 0.1", "stopped_by: nothing left to collapse",
                            "rejected_loop_split: 3", "vertices_boundary: 30"})
     EXPECT_EQ(found.count(line), 1u) << line;
+}
+
+TEST(ResultTable, LogLeavesOutWhatIsZero) {
+  DecimationReport report;
+  report.faces = 7;
+  const Outcome outcome{
+      "A sentence.", {}, results_of(EdgeCollapseFilter::results(), report, {}), {}};
+  EXPECT_EQ(log_lines(outcome),
+            (std::vector<std::string>{"A sentence.", "faces: 7", "stopped_by: target"}));
+}
+
+TEST(ResultTable, LogOfARunThatDidNothingSaysWhyOnly) {
+  DecimationReport report;
+  report.faces = 7;
+  Outcome outcome{
+      "", {"Nothing to do."}, results_of(EdgeCollapseFilter::results(), report, {}), {}};
+  EXPECT_EQ(log_lines(outcome), std::vector<std::string>{"Nothing to do."});
+  report.stopped_by = StopReason::Cancelled;
+  outcome.results = results_of(EdgeCollapseFilter::results(), report, {});
+  EXPECT_EQ(log_lines(outcome),
+            (std::vector<std::string>{"Nothing to do.", "stopped_by: cancelled"}));
+}
+
+TEST(ResultTable, HeadlineIsASentence) {
+  DecimationReport report;
+  report.faces_before = 1234567, report.faces = 1160, report.seconds = 0.01234;
+  EXPECT_EQ(EdgeCollapseFilter::headline(report), "1,234,567 faces became 1,160 in 0.012 s.");
+  report.seconds = 123.4;
+  EXPECT_EQ(EdgeCollapseFilter::headline(report), "1,234,567 faces became 1,160 in 123 s.");
+  report.faces = report.faces_before;
+  EXPECT_EQ(EdgeCollapseFilter::headline(report), "");
 }
 
 TEST(ResultTable, KnowsWhatChanged) {

@@ -82,7 +82,7 @@ def test_bad_parameter_of_spheres_is_named(name, value):
 def test_bound_and_pairs_are_refused_together():
     length = pymeshlab.PureValue(0.1)
     options = {"targetfacenum": 60, "pairdistance": length, "maxerror": length}
-    assert_refused(mesh_set(*bumpy_sheet()), "PairDistance and MaxError", **options)
+    assert_refused(mesh_set(*bumpy_sheet()), "pairdistance and maxerror", **options)
 
 
 def test_selected_without_a_selection_is_refused():
@@ -123,7 +123,7 @@ def test_error_does_not_harm_later_calls():
     """PyMeshLab leaves a filter that throws with the log of that MeshSet."""
     talking = mesh_set(*bumpy_sheet())
     talking.set_verbosity(True)
-    assert_refused(talking, "TargetPerc", targetperc=-1.0)
+    assert_refused(talking, "targetperc", targetperc=-1.0)
     del talking
     gc.collect()
     for _ in range(20):

@@ -49,5 +49,5 @@ def test_leaves_what_is_not_selected():
 
 
 def test_refuses_a_cell_of_no_size():
-    with pytest.raises(pymeshlab.PyMeshLabException, match="CellSize"):
+    with pytest.raises(pymeshlab.PyMeshLabException, match="cellsize"):
         clustered(cellsize=pymeshlab.PercentageValue(0))

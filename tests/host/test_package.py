@@ -8,12 +8,14 @@ import subprocess
 import sys
 from pathlib import Path
 from typing import Literal, get_args, get_origin
+from xml.etree import ElementTree
 
 import numpy as np
 import pymeshlab
 import pymeshlab_curvdecim
 import pytest
 from drawn_meshes import bumpy_sheet, mesh_set
+from pymeshlab_curvdecim import filter_script
 from pymeshlab_curvdecim.description import read_filters
 from samples import CLUSTER, DECIMATE, IMPORTANCE, SHIPPED, STEPWISE
 
@@ -132,6 +134,66 @@ def test_length_may_be_a_number_or_a_share():
     assert results[0] == results[1]
 
 
+def test_failure_does_not_harm_the_next_mesh_set():
+    """PyMeshLab kept the log of the set that failed, and wrote to it after its end."""
+    code = f"""
+import gc, pymeshlab, pymeshlab_curvdecim
+for _ in range(4):
+    failing = pymeshlab.MeshSet()
+    failing.load_new_mesh({COW!r})
+    try:
+        failing.{DECIMATE}(targetperc=-1.0)
+    except pymeshlab.PyMeshLabException as error:
+        print(error)
+    del failing
+    gc.collect()
+    pymeshlab.MeshSet().load_new_mesh({COW!r})
+print("done")
+"""
+    answer = python(code)
+    assert answer.stdout.endswith("done\n"), answer.stderr
+    assert answer.stdout.count("targetperc is -1; it must be at least 0") == 4
+
+
+@pytest.mark.parametrize("word", ["decimate", "Reduce", "simplify"])
+def test_search_finds_all_filters(word, capfd):
+    pymeshlab.search(word)
+    found = capfd.readouterr().out
+    assert all(name in found for name in ALL)
+
+
+def test_search_finds_nothing_of_ours_by_another_word(capfd):
+    pymeshlab.search("hausdorff")
+    assert not any(name in capfd.readouterr().out for name in ALL)
+
+
+def menu_name_and_parameters(script):
+    root = ElementTree.fromstring(script)
+    return root[0].get("name"), {each.get("name") for each in root[0]}
+
+
+def test_script_for_2020_has_a_filter_for_daily_use_and_one_for_papers():
+    daily, parameters = menu_name_and_parameters(filter_script(DECIMATE, preservetopology=True))
+    assert {"TargetPerc", "PreserveTopology"} <= parameters
+    assert "Lambda" not in parameters
+    paper, parameters = menu_name_and_parameters(filter_script(DECIMATE, lambda_=0.1))
+    assert paper == f"{daily} (Paper Settings)"
+    assert {"Lambda", "Preset"} <= parameters
+    assert "PreserveTopology" not in parameters
+
+
+def test_script_for_2020_cannot_mix_them():
+    with pytest.raises(ValueError, match=r"lacks lambda_;.*Paper Settings.*lacks preservetopology"):
+        filter_script(DECIMATE, lambda_=0.1, preservetopology=True)
+
+
+def test_script_for_newer_versions_has_every_parameter():
+    script = filter_script(DECIMATE, meshlab="2025.07", lambda_=0.1, preservetopology=True)
+    name, parameters = menu_name_and_parameters(script)
+    assert "Paper" not in name
+    assert {"Lambda", "PreserveTopology"} <= parameters
+
+
 def test_missing_plugin_says_what_to_do():
     answer = python("import pymeshlab_curvdecim", CURVDECIM_PLUGIN="/nowhere/plugin.so")
     assert answer.returncode == 1
@@ -176,7 +238,7 @@ def test_quiet_command_prints_the_report_only(tmp_path):
     ("arguments", "words"),
     [
         (["nowhere.ply", "out.ply"], "there is no file nowhere.ply"),
-        ([COW, "out.ply", "--target-perc", "-3"], "TargetPerc is -3"),
+        ([COW, "out.ply", "--target-perc", "-3"], "targetperc is -3"),
         ([COW, "out.ply", "--metric", "Cubic"], "invalid choice: 'Cubic'"),
         ([COW, "out.nosuchformat", "--target-perc", "0.5"], "nosuchformat"),
     ],
