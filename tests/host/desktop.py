@@ -58,8 +58,15 @@ class Screen:
         self._run("xdotool", "mousemove", str(x), str(y), "click", "1")
 
     def windows(self, title):
-        """Ids of the visible windows whose title contains the text."""
-        return self._run("xdotool", "search", "--onlyvisible", "--name", re.escape(title)).split()
+        """Ids of the visible windows whose title begins with the text."""
+        return self._windows(f"^{re.escape(title)}")
+
+    def windows_called(self, title):
+        """Ids of the visible windows with this title."""
+        return self._windows(f"^{re.escape(title)}$")
+
+    def _windows(self, pattern):
+        return self._run("xdotool", "search", "--onlyvisible", "--name", pattern).split()
 
     def geometry(self, window):
         """X, Y, WIDTH and HEIGHT of a window, in pixels."""

@@ -41,12 +41,12 @@ class FaceGuard {
   /// slivers, whose normals mean little, they do not stand in the way
   /// (docs/decisions/prices-not-bans.md).
   std::optional<double> price(int f, const Triangle& after, const FacePlane& plane_after) const {
-    if (!has_height(after, plane_after.area) && has_height(mesh_.triangle(f), mesh_.plane[f].area))
-      return std::nullopt;
     double price = 0.0;  // per area
     if (turns(f, plane_after)) price += turn_price * sum_of_squared_edges(after);
-    if (is_worse_shaped(after, plane_after.area, fair_quality))
+    if (is_worse_shaped(after, plane_after.area, fair_quality)) {
+      if (loses_height(f, after, plane_after.area)) return std::nullopt;
       price += lost_shape(f, after, plane_after.area) * sliver_price(f, after);
+    }
     return price * plane_after.area;
   }
 
@@ -62,6 +62,10 @@ class FaceGuard {
   static constexpr double turn_price = 0.1;
   static constexpr double shape_price = 0.0003;
   static constexpr double move_price = 3.0;  // on its square; a thirtieth or thirty times: alike
+
+  bool loses_height(int f, const Triangle& after, double area_after) const {
+    return !has_height(after, area_after) && has_height(mesh_.triangle(f), mesh_.plane[f].area);
+  }
 
   static bool has_height(const Triangle& t, double area) {
     constexpr double rounding = 1e-9;  // in the box
