@@ -22,9 +22,7 @@ struct AlgebraicSphereFilter {
 
   static Changes changed(const Report& report) { return change_of_shape(report); }
 
-  static std::string headline(const Report& report) {
-    return changed(report).shape ? headline_of(report) : "";
-  }
+  static std::string headline(const Report& report) { return headline_of(report, changed(report)); }
 
   static About about() {
     return {
@@ -43,14 +41,12 @@ struct AlgebraicSphereFilter {
   }
 
   static ParameterRows<Params> parameters() {
-    return joined<ParameterRow<Params>>(
-        {target_rows<Params>(),
-         {sweeps_row(), selected_row<Params>(), tuning(quality_weight_row<Params>()),
-          tuning(threads_row<Params>())},
-         for_papers(kernel_rows()),
-         for_papers<Params>({energy_row(), placement_row()}),
-         under<Params>("Keep", collapse_guard_rows<Params>()),
-         under<Params>("Keep", {tuning(feature_angle_row<Params>())})});
+    return joined<ParameterRow<Params>>({target_rows<Params>(),
+                                         {sweeps_row()},
+                                         common_rows<Params>(),
+                                         for_papers(kernel_rows()),
+                                         for_papers<Params>({energy_row(), placement_row()}),
+                                         keep_rows<Params>()});
   }
 
   static ResultRows<Report, Params> results() {

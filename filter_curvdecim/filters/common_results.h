@@ -113,8 +113,9 @@ ResultRows<R, P> collapse_results() {
        {seconds_result<R, P>()}});
 }
 
-/// "5,804 faces became 1,160 in 0.012 s."
-inline std::string headline_of(const DecimationReport& report) {
+/// "5,804 faces became 1,160 in 0.012 s."; empty where the shape did not change.
+inline std::string headline_of(const DecimationReport& report, const Changes& changed) {
+  if (!changed.shape) return "";
   std::ostringstream seconds;
   if (report.seconds < 10.0)
     seconds << std::setprecision(2) << report.seconds;

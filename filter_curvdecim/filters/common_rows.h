@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "filter_curvdecim/table/joined.h"
 #include "filter_curvdecim/table/parameter_row.h"
 #include "vcg_ext/params.h"
 
@@ -175,6 +176,19 @@ template <class P>
 ParameterRow<P> threads_row() {
   return row<P>(&P::threads, "Threads", "Number of threads (0: all cores)",
                 {"0: all cores. It never changes the result.", "It never changes the result."});
+}
+
+/// What every edge collapse asks beside its targets and its own parameters.
+template <class P>
+ParameterRows<P> common_rows() {
+  return {selected_row<P>(), tuning(quality_weight_row<P>()), tuning(threads_row<P>())};
+}
+
+/// What an edge collapse is to keep, under a heading of its own.
+template <class P>
+ParameterRows<P> keep_rows() {
+  return under<P>("Keep", joined<ParameterRow<P>>(
+                              {collapse_guard_rows<P>(), {tuning(feature_angle_row<P>())}}));
 }
 
 }  // namespace curvdecim::glue

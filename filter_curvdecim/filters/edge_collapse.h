@@ -23,9 +23,7 @@ struct EdgeCollapseFilter {
 
   static Changes changed(const Report& report) { return change_of_shape(report); }
 
-  static std::string headline(const Report& report) {
-    return changed(report).shape ? headline_of(report) : "";
-  }
+  static std::string headline(const Report& report) { return headline_of(report, changed(report)); }
 
   static About about() {
     return {"Simplification: Curvature-Enhanced Edge Collapse",
@@ -42,16 +40,15 @@ struct EdgeCollapseFilter {
   static ParameterRows<Params> parameters() {
     return joined<ParameterRow<Params>>(
         {target_rows<Params>(),
-         {also_for_papers(preset_row()), curvature_floor_row<Params>(), selected_row<Params>(),
-          tuning(quality_weight_row<Params>()), tuning(threads_row<Params>())},
+         {also_for_papers(preset_row()), curvature_floor_row<Params>()},
+         common_rows<Params>(),
          for_papers<Params>({metric_row()}),
          for_papers(alpha_rows<Params>()),
          for_papers(additive_rows()),
          for_papers(custom_quadric_rows()),
          for_papers(custom_run_rows()),
          for_papers<Params>({pair_distance_row()}),
-         under<Params>("Keep", collapse_guard_rows<Params>()),
-         under<Params>("Keep", {tuning(feature_angle_row<Params>())})});
+         keep_rows<Params>()});
   }
 
   static ResultRows<Report, Params> results() {

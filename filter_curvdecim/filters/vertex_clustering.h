@@ -26,9 +26,7 @@ struct VertexClusteringFilter {
   /// A run that made cells changed the mesh, even where no vertex is gone.
   static Changes changed(const Report& report) { return {report.cell_size > 0.0, false}; }
 
-  static std::string headline(const Report& report) {
-    return changed(report).shape ? headline_of(report) : "";
-  }
+  static std::string headline(const Report& report) { return headline_of(report, changed(report)); }
 
   static About about() {
     return {"Simplification: Vertex Clustering with Representatives",

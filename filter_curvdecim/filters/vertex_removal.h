@@ -89,8 +89,9 @@ struct VertexRemovalFilter {
   }
 
   static std::string headline(const Report& report) {
-    if (changed(report).shape) return headline_of(report);
-    return report.classes ? "Every vertex has its class as quality and as colour." : "";
+    const std::string headline = headline_of(report, changed(report));
+    if (!headline.empty() || !report.classes) return headline;
+    return "Every vertex has its class as quality and as colour.";
   }
 
   static About about() {

@@ -31,9 +31,8 @@ def filter_script(filter_name, /, meshlab="2020.09", **given):
     """
     description = read_filters()[filter_name]
     values = description.checked(given)
-    dialog = description.whole_dialog()
-    if meshlab == "2020.09":
-        dialog = description.flat_dialog(values.keys())
+    is_flat = meshlab == "2020.09"
+    dialog = description.flat_dialog(values.keys()) if is_flat else description.whole_dialog()
     root = ElementTree.Element("FilterScript")
     action = ElementTree.SubElement(root, "filter", name=dialog.menu_name)
     for parameter in dialog.parameters:

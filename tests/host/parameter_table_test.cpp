@@ -149,7 +149,7 @@ TYPED_TEST(ParameterTable, EveryHeadingHasARowThatIsNeverFolded) {
   for (const auto& [heading, has_row] : shown) EXPECT_TRUE(has_row) << heading;
 }
 
-/// Of MeshLab 2020.09, whose dialogs neither unfold nor scroll.
+/// MeshLab 2020.09 has them: its dialogs neither unfold nor scroll.
 TYPED_TEST(ParameterTable, FlatDialogsAreLowAndHaveEveryParameter) {
   constexpr std::size_t most_rows = 17;
   std::set<std::string> names, all, menu_names;

@@ -120,7 +120,7 @@ class StrictSchedule {
   /// go stays, unless no edge is left.
   bool remove_part(Tally& tally) {
     const Priority limit = queue_.empty() ? Priority() : queue_.top_priority();
-    const int most = mesh_.connectivity.face_count() - stop_.faces + 1;
+    const int most = stop_.most_faces(mesh_.connectivity);
     std::optional<Part> part = parts_->take(limit, most);
     if (!part && queue_.empty() && parts_->widen())
       part = parts_->take(limit, most + 2);  // four closed faces where a pair is to go

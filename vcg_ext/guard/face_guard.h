@@ -80,9 +80,10 @@ class FaceGuard {
   /// A sliver as long as its part costs no more than its move: one that stays in the surface, as
   /// along a rod, is what the place consists of.
   double sliver_price(int f, const Triangle& after) const {
+    const Vector3 &normal = mesh_.plane[f].normal, on_plane = mesh_.triangle(f)[0];
     double move = 0.0;
     for (const Vector3& corner : after)
-      move = std::max(move, std::abs(mesh_.plane[f].normal.dot(corner - mesh_.triangle(f)[0])));
+      move = std::max(move, std::abs(normal.dot(corner - on_plane)));
     return std::min(shape_price * sum_of_squared_edges(after), move_price * move * move);
   }
 
