@@ -23,17 +23,19 @@ template <class MeshType, class Params, class WithMetric>
 DecimationReport decimate_by_collapse(MeshType& mesh, const Params& params,
                                       const Progress& progress, WithMetric with_metric) {
   return reported<DecimationReport>(counts_of(mesh), params, progress, [&](const auto& run) {
+    if (const auto ahead = plan_collapse(params, facts_ahead(counts_of(mesh))))
+      ahead->times.begin_preparing(run.parallel.progress());
     WorkingCopy copy = read_mesh(mesh, plan_reading(params), run.parallel);
     const InputFacts facts = facts_of(mesh, copy, params.selected_only);
     const auto plan = plan_collapse(params, facts);
     if (!plan) return note_nothing_to_do(reached_target(params, facts), run.report);
     Carried carried = read_carried(mesh, copy, params.quality_weight, *plan, run.report);
     std::optional<InputCopy> input = keep_input(copy.mesh, *plan, run.parallel);
+    run.parallel.progress().ask();
     const Tally tally = with_metric(copy.mesh, plan->metric, [&](auto metric) {
-      return collapse_edges(copy.mesh, metric, *plan, carried.collapse_observers(), run.parallel,
-                            run.progress);
+      return collapse_edges(copy.mesh, metric, *plan, carried.collapse_observers(), run.parallel);
     });
-    refine(copy.mesh, std::move(input), *plan, carried, run.parallel, run.progress);
+    refine(copy.mesh, std::move(input), *plan, carried, run.parallel);
     write_back(mesh, copy, carried, run.report);
     conclude(tally, *plan, copy.mesh, copy.box.diagonal, run.report);
   });

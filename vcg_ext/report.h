@@ -12,7 +12,8 @@
 
 namespace curvdecim {
 
-/// Called on every long stage with 0..100 and the stage's name; false asks to cancel.
+/// Called many times a second with 0..100, which never falls, and the name of the stage; false asks
+/// to cancel. Not called while the result is written to the mesh.
 using Progress = std::function<bool(int percent, const char* stage)>;
 
 enum class StopReason { Target, ErrorBound, NothingLeft, Cancelled };

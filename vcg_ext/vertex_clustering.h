@@ -28,14 +28,15 @@ ClusteringReport decimate_vertex_clustering(MeshType& mesh, const ClusteringPara
                                             const Progress& progress = {}) {
   using namespace detail;
   return reported<ClusteringReport>(counts_of(mesh), params, progress, [&](const auto& run) {
+    clustering_times.begin_preparing(run.parallel.progress());
     const FlatMesh flat = read_flat(mesh, params.selected_only, run.parallel);
     const auto plan = plan_clustering(params, flat);
     if (!plan) return note_nothing_to_do(reached_target(params, flat), run.report);
     const ClusteringWeights weights = read_weights(mesh, flat, params.quality_weight, *plan, run);
-    const Clustering clustering =
-        ClusteringOperator(flat, *plan, weights, run.parallel).run(run.progress);
+    clustering_times.begin_steps("Clustering vertices", run.parallel.progress());
+    const Clustering clustering = ClusteringOperator(flat, *plan, weights, run.parallel).run();
     const CarriedByCells carried = read_carried(mesh, flat, clustering, *plan, weights, run);
-    run.progress.finish();
+    run.parallel.progress().ask();
     write_back(mesh, flat, clustering, carried, run.parallel, run.report);
     conclude(clustering, *plan, flat, run.report);
   });

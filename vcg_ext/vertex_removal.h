@@ -31,13 +31,15 @@ DecimationReport decimate_vertex_removal(MeshType& mesh, const VertexRemovalPara
                                          const Progress& progress = {}) {
   using namespace detail;
   return reported<DecimationReport>(counts_of(mesh), params, progress, [&](const auto& run) {
+    if (const auto plan = plan_removal(params, facts_ahead(counts_of(mesh))))
+      plan->times.begin_preparing(run.parallel.progress());
     WorkingCopy copy = read_mesh(mesh, params.selected_only, run.parallel);
     const InputFacts facts = facts_of(mesh, copy, params.selected_only);
     const auto plan = plan_removal(params, facts);
     if (!plan) return note_nothing_to_do(reached_target(params, facts), run.report);
     Carried carried = read_carried(mesh, copy, params.quality_weight, run.report);
     const Tally tally = remove_vertices(copy.mesh, *plan, seams_of(copy.mesh, carried),
-                                        carried.removal_observers(), run.parallel, run.progress);
+                                        carried.removal_observers(), run.parallel);
     write_back(mesh, copy, carried, run.report);
     conclude(tally, *plan, copy.mesh, copy.box.diagonal, run.report);
   });

@@ -60,9 +60,8 @@ struct CurvatureImportanceFilter {
 
   template <class MeshType>
   static Report run(MeshType& mesh, const Params& params, const Progress& progress) {
-    if (progress && !progress(0, "Computing curvature"))
+    if (!curvature_importance(mesh, params, progress))
       return {StopReason::Cancelled, 0.0, 0.0, 0.0, {"Cancelled: the mesh is unchanged."}};
-    curvature_importance(mesh, params);
     const std::vector<double> sorted = sorted_qualities(mesh);
     color_by_quality(mesh, params.output, sorted);
     return {StopReason::Target, sorted.front(), percentile(sorted, 0.5), sorted.back(), {}};

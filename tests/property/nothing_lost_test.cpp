@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <limits>
-#include <map>
 #include <set>
 
 #include "support/decimation.h"
@@ -23,20 +22,6 @@ TEST(Cancel, AtAnyCallLeavesTheMeshAsItWas) {
   expect_cancel_leaves(unit_ball(4), [](RichMesh& mesh, const Progress& progress) {
     return decimate(mesh, to_faces(500), progress);
   });
-}
-
-TEST(Progress, RisesFrom0To100AndNamesItsStages) {
-  RichMesh mesh;
-  fill_with_attributes(mesh, unit_ball(4));
-  std::map<std::string, int> reached;
-  decimate(mesh, to_faces(500), [&](int percent, const char* stage) {
-    EXPECT_GE(percent, std::max(0, reached[stage]));
-    EXPECT_LE(percent, 100);
-    reached[stage] = percent;
-    return true;
-  });
-  EXPECT_FALSE(reached.empty());
-  EXPECT_EQ(reached.count(""), 0u);
 }
 
 // --- selection -----------------------------------------------------------------------------------

@@ -50,9 +50,9 @@ TEST(Parallel, AsksBetweenBlocksOnTheCallingThread) {
   int asked = 0;
   std::atomic<int> visited{0};
   const auto caller = std::this_thread::get_id();
-  const Parallel parallel(4, [&] {
+  const Parallel parallel(4, [&](int, const char*) {
     EXPECT_EQ(std::this_thread::get_id(), caller);
-    ++asked;
+    return ++asked > 0;
   });
   parallel.for_each(count, [&](int) { ++visited; });
   EXPECT_EQ(visited, count);
@@ -60,13 +60,10 @@ TEST(Parallel, AsksBetweenBlocksOnTheCallingThread) {
 }
 
 TEST(Parallel, EndsWhenItIsAskedTo) {
-  struct Enough {};
   std::atomic<int> visited{0};
   int asked = 0;
-  const Parallel parallel(2, [&] {
-    if (++asked == 2) throw Enough();
-  });
-  EXPECT_THROW(parallel.for_each(1000000, [&](int) { ++visited; }), Enough);
+  const Parallel parallel(2, [&](int, const char*) { return ++asked < 2; });
+  EXPECT_THROW(parallel.for_each(1000000, [&](int) { ++visited; }), CancelRequest);
   EXPECT_GT(visited, 0);
   EXPECT_LT(visited, 1000000);
 }

@@ -25,9 +25,8 @@ InputSurface surface_of(const Shape& shape) {
 WorkingMesh refined(const Shape& input, const Shape& mesh, int sweeps) {
   WorkingMesh result = working_mesh(mesh);
   const InputSurface surface = surface_of(input);
-  ProgressMeter progress({});
   Carried nothing;
-  Refinement(result, surface, CollapsePlan(), nothing, one_thread).run(sweeps, progress);
+  Refinement(result, surface, CollapsePlan(), nothing, one_thread).run(sweeps);
   return result;
 }
 
@@ -99,9 +98,8 @@ TEST(VertexFit, MovesNoLockedVertex) {
   WorkingMesh result = working_mesh(mesh);
   result.locked[3] = 1;
   const InputSurface surface = surface_of(input);
-  ProgressMeter progress({});
   Carried nothing;
-  Refinement(result, surface, CollapsePlan(), nothing, one_thread).run(2, progress);
+  Refinement(result, surface, CollapsePlan(), nothing, one_thread).run(2);
   EXPECT_EQ(result.position[3], mesh.vertices[3]);
   EXPECT_NE(result.position[4], mesh.vertices[4]);
 }

@@ -81,33 +81,5 @@ TEST(TriangleTree, FollowsVerticesThatMoved) {
                 least_distance2(mesh, p, Vector3::Zero()), 1e-15);
 }
 
-/// Single precision must not hide a face: coordinates that it has no number for, near and far.
-TEST(FourBoxes, AreNeverFurtherThanTheyAreAndHardlyNearer) {
-  const Vector3 low(-0.1, 0.2, 1e-9), high(0.3, 0.2, 0.7);
-  FourBoxes boxes;
-  boxes.set(2, low, high);
-  for (Vector3 p : probes())
-    for (const Vector3& q :
-         {p, Vector3(high + 1e-7 * p.cwiseAbs()), Vector3(0.5 * low + 0.5 * p)}) {
-      const double distance2 = (low - q).cwiseMax(q - high).cwiseMax(0.0).squaredNorm();
-      const FourBoxes::Four found = boxes.distance2(FourBoxes::Place(q));
-      EXPECT_LE(found[2], distance2);
-      EXPECT_NEAR(std::sqrt(found[2]), std::sqrt(distance2), 1e-6);
-      EXPECT_EQ(found[1], std::numeric_limits<float>::infinity());
-    }
-}
-
-TEST(FourBoxes, HaveABoxAroundThem) {
-  FourBoxes boxes, around;
-  boxes.set(0, {0.0, 0.1, 0.2}, {0.1, 0.2, 0.3});
-  boxes.set(3, {-0.2, 0.4, 0.25}, {0.0, 0.5, 0.26});
-  around.set(1, boxes);
-  const auto distance2 = [&](const Vector3& p) { return around.distance2(FourBoxes::Place(p))[1]; };
-  EXPECT_EQ(distance2({-0.2, 0.1, 0.2}), 0.0f);
-  EXPECT_EQ(distance2({0.1, 0.5, 0.3}), 0.0f);
-  EXPECT_NEAR(distance2({0.2, 0.1, 0.3}), 0.01, 1e-6);
-  EXPECT_NEAR(distance2({0.1, 0.1, 0.0}), 0.04, 1e-6);
-}
-
 }  // namespace
 }  // namespace curvdecim::test

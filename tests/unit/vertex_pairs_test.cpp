@@ -94,9 +94,7 @@ TEST(NearPoints, TakeADistanceBelowTheFinestCells) {
 
 class Partners : public testing::Test {
  protected:
-  VertexPairs pairs(double distance) const {
-    return VertexPairs(mesh_, distance, Parallel(1), progress_);
-  }
+  VertexPairs pairs(double distance) const { return VertexPairs(mesh_, distance, Parallel(1)); }
 
   static std::vector<int> of(const VertexPairs& pairs, int v) {
     const IndexRange partners = pairs.of(v);
@@ -107,7 +105,6 @@ class Partners : public testing::Test {
   WorkingMesh mesh_ = working_mesh(
       {{{0, 0, 0}, {0.5, 0, 0}, {0, 0.5, 0}, {0, 0, 0.1}, {0.5, 0, 0.1}, {0, 0.5, 0.1}},
        {{0, 1, 2}, {3, 4, 5}}});
-  mutable ProgressMeter progress_{{}};
 };
 
 TEST_F(Partners, AreCloserThanTheDistance) {
@@ -183,8 +180,7 @@ std::vector<int> mates_after_a_collapse(bool locked) {
   metric.initialize(Parallel(1));
   CollapseOperator collapses(mesh, metric, limits_of(params, false),
                              PriceUnit(mesh, CostUnit::AreaTimesSquaredLength), {});
-  ProgressMeter progress({});
-  collapses.add_pairs(VertexPairs(mesh, 0.06, Parallel(1), progress));
+  collapses.add_pairs(VertexPairs(mesh, 0.06, Parallel(1)));
   CollapseOperator<QuadricMetric>::Scratch scratch;
   const Candidate candidate{0.0, mesh.position[12], 0.0};
   collapses.ask({12, 13}, candidate.position, scratch);

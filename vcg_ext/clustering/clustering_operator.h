@@ -9,7 +9,6 @@
 #include "vcg_ext/clustering/manifold_edges.h"
 #include "vcg_ext/clustering/representatives.h"
 #include "vcg_ext/parallel/parallel.h"
-#include "vcg_ext/parallel/progress_meter.h"
 #include "vcg_ext/params.h"
 
 namespace curvdecim::detail {
@@ -51,8 +50,7 @@ class ClusteringOperator {
       : mesh_(mesh), plan_(plan), weights_(weights), parallel_(parallel) {}
 
   /// Throws CancelRequest, and InputError where no face would be left.
-  Clustering run(ProgressMeter& progress) const {
-    progress.begin("Clustering vertices");
+  Clustering run() const {
     const auto cluster_at = [this](double size) { return faces_between_cells(size); };
     std::optional<Clusters> clusters = plan_.target > 0
                                            ? CellSearch(mesh_, plan_.target, cluster_at).run()
@@ -62,13 +60,15 @@ class ClusteringOperator {
           "No face would be left: the cells are too large for the mesh. Choose a smaller "
           "cell_size.",
           {"cell_size"});
-    progress.set(0.5);
-    progress.ask();
-    Representatives representatives = represent(*clusters);
+    parallel_.progress().set(searched);
+    Representatives representatives;
+    parallel_.progress().along(searched, 1.0, [&] { representatives = represent(*clusters); });
     return {std::move(*clusters), std::move(representatives)};
   }
 
  private:
+  static constexpr double searched = 0.3;  // part of the time
+
   Clusters faces_between_cells(double diameter) const {
     Clusters clusters = cluster(mesh_, diameter, parallel_);
     if (plan_.manifold_edges) drop_crowded(clusters);

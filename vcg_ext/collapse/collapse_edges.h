@@ -10,6 +10,13 @@
 
 namespace curvdecim::detail {
 
+/// The last part of the preparation.
+template <class MetricType>
+void initialize(MetricType& metric, const Parallel& parallel) {
+  constexpr double reading = 0.6;  // part of the time
+  parallel.progress().along(reading, 1.0, [&] { metric.initialize(parallel); });
+}
+
 /// Collapses edges of the mesh, the cheapest first, as far as the plan says:
 ///
 ///   collapse in rounds, on all cores, while they are worth while     (round_schedule.h)
@@ -20,22 +27,20 @@ namespace curvdecim::detail {
 /// pairs.
 template <class MetricType>
 Tally collapse_edges(WorkingMesh& mesh, MetricType& metric, const CollapsePlan& plan,
-                     CollapseObservers observers, const Parallel& parallel,
-                     ProgressMeter& progress) {
+                     CollapseObservers observers, const Parallel& parallel) {
   Tally tally;
   CollapseOperator<MetricType> collapses(mesh, metric, plan.limits, {mesh, plan.cost_unit},
                                          std::move(observers));
   HubRests<MetricType> rests(mesh, collapses);
-  metric.initialize(parallel);
-  progress.begin("Collapsing edges");
+  initialize(metric, parallel);
+  plan.times.begin_steps("Collapsing edges", parallel.progress());
   int next_number = 0;
   if (const double share = plan.schedule.round_share; share > 0.0)
-    next_number =
-        RoundSchedule(mesh, collapses, rests, plan.stop, share, parallel).run(progress, tally);
+    next_number = RoundSchedule(mesh, collapses, rests, plan.stop, share, parallel).run(tally);
   if (plan.pair_distance > 0.0)
-    collapses.add_pairs(VertexPairs(mesh, plan.pair_distance, parallel, progress));
+    collapses.add_pairs(VertexPairs(mesh, plan.pair_distance, parallel));
   StrictSchedule(mesh, collapses, rests, plan.stop, plan.schedule.eager, next_number)
-      .run(parallel, progress, tally);
+      .run(parallel, tally);
   assert((mesh.connectivity.validate(), true));
   return tally;
 }

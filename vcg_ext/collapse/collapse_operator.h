@@ -60,6 +60,8 @@ class CollapseOperator {
   /// The pairs are contracted like edges; only one collapse at a time is possible then.
   void add_pairs(VertexPairs pairs) { pairs_ = std::move(pairs); }
 
+  bool has_pairs() const { return pairs_.active(); }
+
   /// An edge of more faces is no candidate.
   void set_most_faces(int faces) { most_faces_ = faces; }
 

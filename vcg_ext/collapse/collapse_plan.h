@@ -4,6 +4,7 @@
 #include "vcg_ext/guard/limits.h"
 #include "vcg_ext/mesh/tally.h"
 #include "vcg_ext/metric/metric_plan.h"
+#include "vcg_ext/parallel/timetable.h"
 
 namespace curvdecim::detail {
 
@@ -29,6 +30,7 @@ struct CollapsePlan {
   double pair_distance = 0.0;    ///< unconnected vertices that are closer may merge; 0: none
   int refine_sweeps = 0;         ///< after the collapses
   double boundary_weight = 1.0;  ///< against the surface, in the refinement
+  Timetable times;
 };
 
 }  // namespace curvdecim::detail

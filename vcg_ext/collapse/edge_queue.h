@@ -65,6 +65,7 @@ class EdgeQueue {
   }
 
   bool empty() const { return heap_.empty(); }
+  int size() const { return static_cast<int>(heap_.size()); }
   Edge top() const { return {heap_.top().index, partner_[heap_.top().index]}; }
   bool top_has_price() const { return has_price_[heap_.top().index] != 0; }
   Priority top_priority() const { return heap_.top().key; }

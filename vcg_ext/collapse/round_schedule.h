@@ -11,7 +11,6 @@
 #include "vcg_ext/collapse/round_selection.h"
 #include "vcg_ext/mesh/tally.h"
 #include "vcg_ext/parallel/parallel.h"
-#include "vcg_ext/parallel/progress_meter.h"
 
 namespace curvdecim::detail {
 
@@ -49,12 +48,11 @@ class RoundSchedule {
 
   /// Collapses until the target is reached, or few candidates are left that lie apart. Returns the
   /// number of the next collapse.
-  int run(ProgressMeter& progress, Tally& tally) {
+  int run(Tally& tally) {
     if (parts_) parts_->offer_all();
     bool worth_while = stop_.collapses_left(mesh_.connectivity) >= least_collapses;
     while (worth_while && is_large() && !stop_.reached(mesh_.connectivity)) {
-      progress.set(stop_.progress(mesh_.connectivity));
-      choose();
+      choose_with_progress();
       selection_.begin(share(), parallel_);
       worth_while = collapse_candidates(tally);
       if (parts_) remove_parts(tally);
@@ -82,6 +80,15 @@ class RoundSchedule {
     Candidate candidate{};
     Removed removed;  // expected, then true
   };
+
+  /// To choose takes about half of a round. Of the candidates a third lies too near to others.
+  void choose_with_progress() {
+    constexpr double half = 0.5, collapsed = 0.7;
+    const double round = collapsed * share() * mesh_.connectivity.vertex_count();
+    const double now = stop_.progress(mesh_.connectivity),
+                 then = stop_.progress(mesh_.connectivity, {static_cast<int>(2.0 * round), 0});
+    parallel_.progress().along(now, now + half * (then - now), [&] { choose(); });
+  }
 
   bool is_large() const { return mesh_.connectivity.vertex_count() >= least_vertices; }
 
@@ -123,7 +130,10 @@ class RoundSchedule {
   bool collapse_candidates(Tally& tally) {
     const int few = selection_.candidates() / least_share;
     const int before = mesh_.connectivity.vertex_count();
-    while (!stop_.reached(mesh_.connectivity) && pick() > few) collapse_picks(tally);
+    while (!stop_.reached(mesh_.connectivity) && pick() > few) {
+      collapse_picks(tally);
+      parallel_.progress().set(stop_.progress(mesh_.connectivity));
+    }
     return before - mesh_.connectivity.vertex_count() > few;
   }
 
@@ -279,7 +289,9 @@ class RoundSchedule {
 
   void compact() {
     const Renumbering numbers(mesh_.connectivity);
+    parallel_.progress().ask();
     collapses_.renumber(numbers), rests_.renumber(numbers);
+    parallel_.progress().ask();
     choices_.renumber(numbers), selection_.renumber(numbers);
     numbers.vertices(outdated_), numbers.vertices(refused_);
     if (parts_) parts_->offer_all();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -11,7 +12,6 @@
 #include "vcg_ext/collapse/hub_rests.h"
 #include "vcg_ext/mesh/tally.h"
 #include "vcg_ext/parallel/parallel.h"
-#include "vcg_ext/parallel/progress_meter.h"
 
 namespace curvdecim::detail {
 
@@ -44,21 +44,21 @@ class StrictSchedule {
         eager_(eager),
         is_sparing_(parts_ != nullptr),
         next_number_(next_number),
-        queue_(mesh.connectivity.vertex_slots()) {}
+        queue_(mesh.connectivity.vertex_slots()),
+        changed_(mesh.connectivity.vertex_slots(), 1) {}
 
   /// Collapses until the target is reached or nothing is left. Throws CancelRequest.
-  void run(const Parallel& parallel, ProgressMeter& progress, Tally& tally) {
+  void run(const Parallel& parallel, Tally& tally) {
     StopReason reason;
     int before;
-    do {  // a refused edge may have become possible since: ask all once more before giving up
+    do {  // a refused edge may have become possible since: ask once more before giving up
       before = next_number_;
       tally.begin_look();
       rests_.end_all();
       spare();
       fill_queue(parallel);
-      reason = empty_queue(progress, tally);
-    } while (reason == StopReason::NothingLeft &&
-             (next_number_ > before || std::exchange(is_sparing_, false)));
+      reason = empty_queue(parallel.progress(), tally);
+    } while (reason == StopReason::NothingLeft && (next_number_ > before || spares_no_more()));
     tally.end(reason);
   }
 
@@ -67,18 +67,48 @@ class StrictSchedule {
 
   static constexpr int steps_per_progress = 1024;  // a few milliseconds
 
+  /// False if edges of many faces were not held back.
+  bool spares_no_more() {
+    std::fill(changed_.begin(), changed_.end(), 1);
+    return std::exchange(is_sparing_, false);
+  }
+
+  /// The answer about an edge depends on what is up to three edges away. Pairs reach further, and
+  /// edges of a hub at rest were not asked about.
+  void find_changed(const Parallel& parallel) {
+    constexpr int reach = 3;
+    const int count = mesh_.connectivity.vertex_slots();
+    for (int i = 0; i < reach; ++i) {
+      const std::vector<std::uint8_t> near = changed_;
+      parallel.in_order(count, [&](int v) {
+        if (near[v])
+          for (int f : mesh_.connectivity.faces_of(v))
+            for (int u : mesh_.connectivity.face(f)) changed_[u] = 1;
+      });
+    }
+    parallel.for_each(count, [&](int v) {
+      if (collapses_.has_pairs() || rests_.near(v)) changed_[v] = 1;
+    });
+  }
+
+  /// With all that was not asked about since it changed.
   void fill_queue(const Parallel& parallel) {
+    find_changed(parallel);
     const int count = mesh_.connectivity.vertex_slots();
     std::vector<EdgeChoice> choices(count);
     parallel.for_ranges(
         count,
         [&](int begin, int end, int) {
           Scratch scratch;
-          for (int v = begin; v < end; ++v) choices[v] = collapses_.cheapest(v, scratch);
+          for (int v = begin; v < end; ++v)
+            if (changed_[v]) choices[v] = collapses_.cheapest(v, scratch);
         },
         Parallel::heavy);
     for (int v = 0; v < count; ++v) queue_.set(v, choices[v]);
+    std::fill(changed_.begin(), changed_.end(), 0);
     if (parts_) parts_->offer_all();
+    filled_ = queue_.size();
+    progress_at_fill_ = std::max(progress_at_fill_, stop_.progress(mesh_.connectivity));
   }
 
   StopReason empty_queue(ProgressMeter& progress, Tally& tally) {
@@ -144,6 +174,7 @@ class StrictSchedule {
                               cut + all.face_slots() / part);
     collapses_.renumber(numbers), rests_.renumber(numbers);
     queue_.extend(all.vertex_slots());
+    changed_.resize(all.vertex_slots(), 1);
     parts_->offer_all();
   }
 
@@ -155,6 +186,7 @@ class StrictSchedule {
       return queue_.remove(edge.a);
     }
     for (int v : touched) {
+      changed_[v] = 1;
       queue_.set(v, collapses_.cheapest(v, scratch_));
       collapses_.gather_mates(v, ring_);
       for (const RingVertex& u : ring_)
@@ -184,6 +216,7 @@ class StrictSchedule {
     tally.count_step(candidate.cost, error_bound);
     queue_.remove(done.gone);
     queue_.remove(done.keep);
+    changed_[done.keep] = 1;
     collapses_.gather_mates(done.keep, ring_);
     eager_ ? requeue_ring(done.keep) : offer_ring(done.keep);
     if (parts_) parts_->offer(done.keep);
@@ -213,8 +246,11 @@ class StrictSchedule {
   /// A hub at rest lets new edges go by.
   bool is_passed_over(int owner) { return !queue_.contains(owner) && rests_.passes_over(owner); }
 
+  /// Nothing but refusals is progress, too: the queue becomes empty.
   void show(ProgressMeter& progress) const {
-    progress.set(stop_.progress(mesh_.connectivity));
+    const double asked = 1.0 - static_cast<double>(queue_.size()) / std::max(1, filled_);
+    progress.set(std::max(stop_.progress(mesh_.connectivity),
+                          progress_at_fill_ + (1.0 - progress_at_fill_) * asked));
     progress.ask();
   }
 
@@ -227,6 +263,9 @@ class StrictSchedule {
   bool is_sparing_;
   int next_number_;  // of the next collapse
   EdgeQueue queue_;
+  std::vector<std::uint8_t> changed_;  // by vertex: 1 if it was merged since the queue was filled
+  int filled_ = 0;                     // entries of the queue when it was filled last
+  double progress_at_fill_ = 0.0;
   Scratch scratch_;
   VertexRing ring_;  // of the vertex merged last, with its partners
 };

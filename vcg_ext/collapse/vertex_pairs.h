@@ -10,7 +10,6 @@
 #include "vcg_ext/mesh/triangle_connectivity.h"
 #include "vcg_ext/mesh/working_mesh.h"
 #include "vcg_ext/parallel/parallel.h"
-#include "vcg_ext/parallel/progress_meter.h"
 
 namespace curvdecim::detail {
 
@@ -23,15 +22,14 @@ class VertexPairs {
 
   /// The pairs of vertices closer than the distance, in the unit of the mesh; locked ones have
   /// none. Throws InputError where there are too many, and CancelRequest.
-  VertexPairs(const WorkingMesh& mesh, double distance, const Parallel& parallel,
-              ProgressMeter& progress)
+  VertexPairs(const WorkingMesh& mesh, double distance, const Parallel& parallel)
       : partners_(mesh.position.size()) {
     const std::size_t most = most_a_vertex * mesh.position.size();
     std::size_t pairs = 0;
     NearPoints(mesh.position, free_vertices(mesh), distance, parallel)
         .for_each_pair([&](int a, int b) {
           if (mesh.connectivity.has_edge(a, b)) return;
-          if (pairs++ % pairs_per_progress == 0) progress.ask();
+          if (pairs++ % pairs_per_progress == 0) parallel.progress().ask();
           if (pairs > most) refuse();
           partners_[a].push_back(b), partners_[b].push_back(a);
         });

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
@@ -37,10 +38,17 @@ struct StopCriterion {
                     1.0 * (connectivity.vertex_count() - vertices));
   }
 
-  /// The part of the faces to go that is gone, 0..1.
-  double progress(const TriangleConnectivity& connectivity) const {
-    const double all = std::max(1, start - faces);
-    return std::clamp((start - connectivity.face_count()) / all, 0.0, 1.0);
+  /// The part of the faces to go that is gone, 0..1. once_removed: what is about to go.
+  double progress(const TriangleConnectivity& connectivity,
+                  const Removed& once_removed = {}) const {
+    const int gone = start - connectivity.face_count() + once_removed.faces;
+    return std::clamp(gone / std::max(1.0, faces_to_go()), 0.0, 1.0);
+  }
+
+  /// From the start to the target, if each collapse removes two faces and a vertex.
+  double faces_to_go() const {
+    const double by_vertices = vertices > 0 ? start - 2.0 * vertices : HUGE_VAL;
+    return std::min<double>(start - faces, by_vertices);
   }
 };
 

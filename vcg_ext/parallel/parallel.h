@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <atomic>
-#include <functional>
 #include <memory>
 #include <thread>
 
+#include "vcg_ext/parallel/progress_meter.h"
 #include "vcg_ext/parallel/thread_team.h"
 
 namespace curvdecim::detail {
@@ -18,21 +18,24 @@ struct Grain {
 };
 
 /// Runs independent work on several threads. Every index writes only what belongs to it, so that
-/// the number of threads cannot show in the result.
+/// the number of threads cannot show in the result. Between blocks of work the calling thread asks
+/// whether to go on; CancelRequest ends the work.
 class Parallel {
  public:
   static constexpr Grain light{512, 1 << 18};  ///< items of some tens of nanoseconds
   static constexpr Grain heavy{8, 1 << 13};    ///< items of some microseconds
 
-  /// threads: 0 for all cores. between_blocks: called on the calling thread while no other runs; it
-  /// may throw to end the work.
-  explicit Parallel(int threads, std::function<void()> between_blocks = {})
+  /// threads: 0 for all cores. progress: called on the calling thread while no other runs.
+  explicit Parallel(int threads, Progress progress = {})
       : team_(std::make_unique<ThreadTeam>(
             threads > 0 ? threads
                         : std::max(1, static_cast<int>(std::thread::hardware_concurrency())))),
-        between_blocks_(std::move(between_blocks)) {}
+        progress_(std::make_unique<ProgressMeter>(std::move(progress))) {}
 
   int threads() const { return team_->size(); }
+
+  /// How far the run is that this works for.
+  ProgressMeter& progress() const { return *progress_; }
 
   /// work(i) for every i below count.
   template <class Work>
@@ -50,8 +53,17 @@ class Parallel {
   template <class Work>
   void for_ranges(int count, Work work, Grain grain = light) const {
     for (int begin = 0; begin < count; begin += std::min(grain.block, count - begin)) {
-      if (between_blocks_) between_blocks_();
+      progress_->in_loop(static_cast<double>(begin) / count);
       run_block(begin, std::min(grain.block, count - begin), work, grain.least);
+    }
+  }
+
+  /// work(i) for every i below count, in this order, on the calling thread.
+  template <class Work>
+  void in_order(int count, Work work, Grain grain = light) const {
+    for (int i = 0; i < count; ++i) {
+      if (i % grain.block == 0) progress_->in_loop(static_cast<double>(i) / count);
+      work(i);
     }
   }
 
@@ -88,7 +100,7 @@ class Parallel {
   }
 
   std::unique_ptr<ThreadTeam> team_;
-  std::function<void()> between_blocks_;
+  std::unique_ptr<ProgressMeter> progress_;
 };
 
 }  // namespace curvdecim::detail

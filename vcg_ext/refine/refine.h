@@ -10,7 +10,6 @@
 #include "vcg_ext/attributes/carried.h"
 #include "vcg_ext/mesh/working_mesh.h"
 #include "vcg_ext/parallel/parallel.h"
-#include "vcg_ext/parallel/progress_meter.h"
 #include "vcg_ext/refine/border_samples.h"
 #include "vcg_ext/refine/edge_flips.h"
 #include "vcg_ext/refine/input_samples.h"
@@ -55,15 +54,13 @@ class Refinement {
         near_(face_count(), SurfacePoint::none) {}
 
   /// Throws CancelRequest.
-  void run(int sweeps, ProgressMeter& progress) {
+  void run(int sweeps) {
     if (!(area_ > 0.0)) return;
-    progress.begin("Refining");
     const std::vector<std::uint8_t> fixed = fixed_vertices();
     for (int sweep = 0; sweep < sweeps; ++sweep) {
-      progress.set(static_cast<double>(sweep) / sweeps);
-      match(sweep == 0 && has_curves() ? limits_.without_walks() : limits_);
-      EdgeFlips(mesh_, of_input_, of_mesh_, guard_, carried_).run(near_, parallel_);
-      fit(fixed);
+      const double one = (1.0 - ready) / sweeps, start = ready + one * sweep;
+      const MatchLimits limits = sweep == 0 && has_curves() ? limits_.without_walks() : limits_;
+      parallel_.progress().along(start, start + one, [&] { sweep_once(limits, fixed); });
     }
   }
 
@@ -94,10 +91,23 @@ class Refinement {
         carried_.copies->of_start_face(from.face), from.weight);
   }
 
+  static constexpr double ready = 0.05;  // part of the time when the first sweep starts
+
   /// A border's samples against those of the surface: the border must not pull the surface along.
   static constexpr double border_share = 0.3;
 
   int face_count() const { return mesh_.connectivity.face_slots(); }
+
+  /// Its three parts take about as long as each other.
+  void sweep_once(const MatchLimits& limits, const std::vector<std::uint8_t>& fixed) {
+    constexpr double third = 1.0 / 3.0;
+    ProgressMeter& progress = parallel_.progress();
+    progress.along(0.0, third, [&] { match(limits); });
+    progress.along(third, 2.0 * third, [&] {
+      EdgeFlips(mesh_, of_input_, of_mesh_, guard_, carried_).run(near_, parallel_);
+    });
+    progress.along(2.0 * third, 1.0, [&] { fit(fixed); });
+  }
 
   std::vector<std::uint8_t> fixed_vertices() const {
     std::vector<std::uint8_t> fixed(mesh_.position.size());
@@ -117,7 +127,6 @@ class Refinement {
   }
 
   void match(const MatchLimits& limits) {
-    mesh_tree_.refit(parallel_);
     of_input_.match(mesh_tree_, face_count(), limits, parallel_);
     for (int f = 0; f < face_count(); ++f)
       for (int i : of_input_.of_face(f)) near_[f] = of_input_.input_face(i);
@@ -132,6 +141,7 @@ class Refinement {
     if (carried_.wedges) carried_.wedges->move(mesh_, now);
     mesh_.position.swap(now);
     parallel_.for_each(face_count(), [&](int f) { mesh_.update_plane(f); });
+    mesh_tree_.refit(parallel_);
   }
 
   /// By vertex.
@@ -190,13 +200,15 @@ inline void pack(WorkingMesh& mesh, Carried& carried) {
 /// Moves vertices and flips edges of the decimated mesh, as often as the plan says, to bring it
 /// closer to the input. Throws CancelRequest.
 inline void refine(WorkingMesh& decimated, std::optional<InputCopy> input, const CollapsePlan& plan,
-                   Carried& carried, const Parallel& parallel, ProgressMeter& progress) {
+                   Carried& carried, const Parallel& parallel) {
   if (!input) return;
+  plan.times.begin_refining(parallel.progress());
   pack(decimated, carried);
   if (decimated.connectivity.face_count() == 0) return;  // may be without the link condition
   const InputSurface surface(std::move(*input));
+  parallel.progress().ask();
   Refinement refinement(decimated, surface, plan, carried, parallel);
-  refinement.run(plan.refine_sweeps, progress);
+  refinement.run(plan.refine_sweeps);
   carried.resampled = refinement.attributes();
   assert((decimated.connectivity.validate(), true));
 }

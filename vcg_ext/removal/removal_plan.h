@@ -3,6 +3,7 @@
 
 #include "vcg_ext/guard/limits.h"
 #include "vcg_ext/mesh/tally.h"
+#include "vcg_ext/parallel/timetable.h"
 #include "vcg_ext/params.h"
 
 namespace curvdecim::detail {
@@ -19,6 +20,7 @@ struct RemovalPlan {
   bool preserve_features = false;
   bool preserve_boundary = true;
   double boundary_weight = 1.0;  ///< factor on distances to boundary and feature lines
+  Timetable times;
 };
 
 }  // namespace curvdecim::detail

@@ -9,7 +9,6 @@
 
 #include "vcg_ext/mesh/tally.h"
 #include "vcg_ext/parallel/parallel.h"
-#include "vcg_ext/parallel/progress_meter.h"
 #include "vcg_ext/queue/indexed_heap.h"
 #include "vcg_ext/removal/removal_operator.h"
 
@@ -28,21 +27,22 @@ namespace curvdecim::detail {
 ///              none went? raise the threshold to the least distance above it, or to its double
 class RemovalSchedule {
  public:
-  RemovalSchedule(WorkingMesh& mesh, RemovalOperator& removals, const RemovalPlan& plan)
+  RemovalSchedule(WorkingMesh& mesh, RemovalOperator& removals, const RemovalPlan& plan,
+                  const Parallel& parallel)
       : mesh_(mesh),
         removals_(removals),
         plan_(plan),
         stop_(plan.stop),
+        parallel_(parallel),
         scratch_(mesh, plan),
         queue_(mesh.position.size()),
         exact_(mesh.position.size(), 0),
         rest_(mesh.position.size(), 0) {}
 
   /// Throws CancelRequest.
-  Tally run(const Parallel& parallel, ProgressMeter& progress) {
-    progress_ = &progress;
-    progress.begin("Removing vertices");
-    tally_.end(plan_.criterion == RemovalCriterion::Passes ? run_passes() : run_heap(parallel));
+  Tally run() {
+    plan_.times.begin_steps("Removing vertices", parallel_.progress());
+    tally_.end(plan_.criterion == RemovalCriterion::Passes ? run_passes() : run_heap());
     return tally_;
   }
 
@@ -51,22 +51,22 @@ class RemovalSchedule {
 
   // --- Heap -------------------------------------------------------------------------------------
 
-  StopReason run_heap(const Parallel& parallel) {
+  StopReason run_heap() {
     StopReason reason;
     int before;
     do {  // a refused vertex may have become free since: ask all once more before giving up
       before = mesh_.connectivity.face_count();
       tally_.begin_look();
-      fill_queue(parallel);
+      fill_queue();
       reason = empty_queue();
     } while (reason == StopReason::NothingLeft && mesh_.connectivity.face_count() < before);
     return reason;
   }
 
-  void fill_queue(const Parallel& parallel) {
+  void fill_queue() {
     const int count = mesh_.connectivity.vertex_slots();
     std::vector<std::optional<RemovalOperator::Estimate>> estimates(count);
-    parallel.for_ranges(
+    parallel_.for_ranges(
         count,
         [&](int begin, int end, int) {
           VertexFan fan;
@@ -180,21 +180,21 @@ class RemovalSchedule {
   }
 
   void show_progress() const {
-    progress_->set(stop_.progress(mesh_.connectivity));
-    progress_->ask();
+    parallel_.progress().set(stop_.progress(mesh_.connectivity));
+    parallel_.progress().ask();
   }
 
   WorkingMesh& mesh_;
   RemovalOperator& removals_;
   const RemovalPlan& plan_;
   const StopCriterion& stop_;
+  const Parallel& parallel_;
   RemovalOperator::Scratch scratch_;
   VertexFan neighbor_fan_;
   IndexedHeap<Priority> queue_;
   std::vector<char> exact_;         // by vertex: 1 if its key is what evaluate says
   std::vector<std::uint8_t> rest_;  // by vertex: changes around it still to be passed over
   Tally tally_;
-  ProgressMeter* progress_ = nullptr;
 };
 
 }  // namespace curvdecim::detail

@@ -40,11 +40,10 @@ inline std::vector<VertexClass> classify(WorkingMesh& mesh, const RemovalPlan& p
 /// Throws CancelRequest.
 template <class IsSeam>
 Tally remove_vertices(WorkingMesh& mesh, const RemovalPlan& plan, IsSeam is_seam,
-                      RemovalObservers observers, const Parallel& parallel,
-                      ProgressMeter& progress) {
+                      RemovalObservers observers, const Parallel& parallel) {
   RemovalOperator removals(mesh, feature_edges(mesh, plan, is_seam, parallel), plan,
                            std::move(observers));
-  const Tally tally = RemovalSchedule(mesh, removals, plan).run(parallel, progress);
+  const Tally tally = RemovalSchedule(mesh, removals, plan, parallel).run();
   assert((mesh.connectivity.validate(), true));
   return tally;
 }

@@ -5,9 +5,12 @@
 
 #include "vcg_ext/curvature/curvature_field.h"
 #include "vcg_ext/curvature/curvature_weight.h"
+#include "vcg_ext/parallel/timetable.h"
 #include "vcg_ext/params.h"
 
 namespace curvdecim::detail {
+
+inline constexpr Timetable importance_times{200.0, 100.0, 0.0, 20.0};  // of a face
 
 /// By vertex, what the parameters ask for. diagonal: of the bounding box, in the mesh's unit.
 inline std::vector<double> importance_of(const WorkingMesh& mesh, const ImportanceParams& params,
@@ -15,7 +18,8 @@ inline std::vector<double> importance_of(const WorkingMesh& mesh, const Importan
   const bool as_factor = params.output == ImportanceOf::Factor;
   CurvatureParams shown = params;
   if (!as_factor) shown.alpha_units = AlphaUnits::ModelUnits;  // the curvature as such
-  const CurvatureField field = curvature_field(mesh, shown, parallel);
+  CurvatureField field;
+  parallel.progress().along(0.0, 1.0, [&] { field = curvature_field(mesh, shown, parallel); });
   const CurvatureWeight weight = curvature_weight(shown, field, diagonal);
   const double unit = params.curvature_kind == CurvatureKind::Gaussian ? 1.0 / (diagonal * diagonal)
                                                                        : 1.0 / diagonal;

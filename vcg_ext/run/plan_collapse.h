@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <variant>
 
 #include "vcg_ext/collapse/collapse_plan.h"
 #include "vcg_ext/run/target.h"
@@ -53,6 +54,16 @@ inline MetricPlan metric_plan(const SphereParams& params) {
   return InterpolatedSpherePlan{spheres};
 }
 
+/// The rest of the plan is made.
+inline Timetable collapse_times(const CollapsePlan& plan) {
+  const bool has_spheres = std::holds_alternative<AnchoredSpherePlan>(plan.metric) ||
+                           std::holds_alternative<InterpolatedSpherePlan>(plan.metric);
+  const double faces = plan.stop.start, gone = plan.stop.faces_to_go();
+  const double sweep = 500.0 * faces + 3800.0 * (faces - gone);
+  return {(has_spheres ? 780.0 : 330.0) * faces, 1600.0 * gone, sweep * plan.refine_sweeps,
+          140.0 * faces};
+}
+
 /// What every run of collapses has, whatever its metric; nullopt: the mesh is small enough.
 inline std::optional<CollapsePlan> plan_collapse(const DecimationParams& params,
                                                  const InputFacts& input) {
@@ -67,6 +78,7 @@ inline std::optional<CollapsePlan> plan_collapse(const DecimationParams& params,
   plan.metric = quadric_plan(params, QuadricParams(), true);
   plan.schedule = schedule_of(Scheduler::Rounds, true);
   plan.boundary_weight = params.boundary_weight;
+  plan.times = collapse_times(plan);
   return plan;
 }
 
@@ -86,6 +98,7 @@ inline std::optional<CollapsePlan> plan_collapse(const EdgeCollapseParams& reque
   // No bound is known for a vertex that moves on its own, and HalfEdge moves none.
   if (params.max_error == 0.0 && params.placement != Placement::HalfEdge)
     plan->refine_sweeps = params.refine_sweeps;
+  plan->times = collapse_times(*plan);
   return plan;
 }
 
@@ -99,6 +112,7 @@ inline std::optional<CollapsePlan> plan_collapse(const SphereParams& params,
   if (params.energy == SphereEnergy::Poster) plan->cost_unit = CostUnit::AreaTimesLength;
   if (params.placement != SpherePlacement::Free3D) plan->schedule = {};
   if (params.max_error == 0.0) plan->refine_sweeps = params.refine_sweeps;
+  plan->times = collapse_times(*plan);
   return plan;
 }
 

@@ -36,6 +36,7 @@ inline std::optional<RemovalPlan> plan_removal(const VertexRemovalParams& params
   if (!stop) return std::nullopt;
   RemovalPlan plan = plan_without_target(params, input.diagonal);
   plan.stop = *stop;
+  plan.times = {200.0 * stop->start, 6700.0 * stop->faces_to_go(), 0.0, 110.0 * stop->start};
   return plan;
 }
 

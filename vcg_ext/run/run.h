@@ -4,7 +4,6 @@
 #include <chrono>
 
 #include "vcg_ext/parallel/parallel.h"
-#include "vcg_ext/parallel/progress_meter.h"
 #include "vcg_ext/report.h"
 #include "vcg_ext/run/notes.h"
 #include "vcg_ext/run/target.h"
@@ -16,7 +15,6 @@ namespace curvdecim::detail {
 template <class Report>
 struct Run {
   const Parallel& parallel;
-  ProgressMeter& progress;
   Report& report;
 };
 
@@ -31,10 +29,9 @@ Report reported(const Counts& before, const Params& params, const Progress& prog
   unchanged.faces_before = unchanged.faces = before.faces;
   unchanged.vertices_before = unchanged.vertices = before.vertices;
   Report report = unchanged;
-  ProgressMeter meter(progress);
   try {
-    const Parallel parallel(params.threads, [&] { meter.ask(); });
-    body(Run<Report>{parallel, meter, report});
+    const Parallel parallel(params.threads, progress);
+    body(Run<Report>{parallel, report});
   } catch (const CancelRequest&) {
     report = unchanged;
     note_cancelled(report);

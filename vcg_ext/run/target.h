@@ -25,6 +25,11 @@ struct InputFacts {
   double diagonal = 1.0;  // of the bounding box, in the mesh's unit
 };
 
+/// What is known of them before the mesh is read.
+inline InputFacts facts_ahead(const Counts& all) {
+  return {all, all.faces, all.faces, 0, all.vertices, 1.0};
+}
+
 /// The faces that a fraction of some faces keeps: at least one.
 inline int faces_of_fraction(double fraction, int candidates) {
   return std::max(1, static_cast<int>(fraction * candidates));
