@@ -33,7 +33,7 @@ DecimationReport decimate_by_collapse(MeshType& mesh, const Params& params,
     std::optional<InputCopy> input = keep_input(copy.mesh, *plan, run.parallel);
     run.parallel.progress().ask();
     const Tally tally = with_metric(copy.mesh, plan->metric, [&](auto metric) {
-      return collapse_edges(copy.mesh, metric, *plan, carried.collapse_observers(), run.parallel);
+      return collapse_edges(copy.mesh, metric, *plan, carried, run.parallel);
     });
     refine(copy.mesh, std::move(input), *plan, carried, run.parallel);
     write_back(mesh, copy, carried, run.report);

@@ -71,10 +71,10 @@ constexpr auto labels(Placement) {
 
 /// In which order edges collapse, and which costs are computed anew after a collapse.
 enum class Scheduler {
-  Rounds,     ///< many at once on all cores, the cheapest that lie apart; new edges' costs
+  Rounds,     ///< many at once on all cores, in passes, then the cheapest that lie apart
   Lazy,       ///< one by one, the cheapest first; new edges' costs, others when they come up
   Eager,      ///< one by one, the cheapest first; costs of all edges around: slower, more exact
-  FewRounds,  ///< as Rounds, with more collapses a round: faster, further from the greedy order
+  FewRounds,  ///< as Rounds, with more passes and more collapses a round: faster, less exact
 };
 constexpr auto labels(Scheduler) { return std::array{"Rounds", "Lazy", "Eager", "FewRounds"}; }
 

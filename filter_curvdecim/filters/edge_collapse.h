@@ -73,8 +73,10 @@ struct EdgeCollapseFilter {
         "Speed against quality, as a named setting of <i>Quadrics</i>, <i>Weight of a plane</i>, "
         "<i>Placement</i>, <i>Scheduler</i> and <i>Refinement sweeps</i>. The metric and its "
         "weights stay as given.",
-        {{Preset::Fast, "least time", "memoryless quadrics, few rounds: the least time"},
-         {Preset::Balanced, "little error, fast", "more rounds: lower error"},
+        {{Preset::Fast, "least time",
+          "most collapses in passes over the whole mesh: the least time"},
+         {Preset::Balanced, "little error, fast",
+          "single collapses count near the target: lower error"},
          {Preset::Best, "a sixth less error, slower",
           "the same, then the result is fitted to the input: slower, a sixth less error"},
          {Preset::Custom, "by the parameters below", "every parameter as given below"}});
@@ -136,12 +138,12 @@ struct EdgeCollapseFilter {
         enum_row<Params>(
             &Params::scheduler, "Scheduler", "Scheduler (Custom)", "Used with the preset Custom.",
             {{Scheduler::Rounds, "on all cores",
-              "many collapses at once on all cores, the cheapest that lie apart"},
+              "many collapses at once on all cores, the cheapest first"},
              {Scheduler::Lazy, "strict order",
               "one by one, cheapest first; costs are brought up to date when they come up"},
              {Scheduler::Eager, "lower error",
               "one by one, cheapest first; costs around are brought up to date at once"},
-             {Scheduler::FewRounds, "faster", "as Rounds, with more collapses a round"}}),
+             {Scheduler::FewRounds, "faster", "as Rounds, with more collapses at once"}}),
         refine_sweeps_row<Params>(
             "Refinement sweeps (Custom)",
             {"After the collapses each sweep moves the vertices to where both surfaces come "

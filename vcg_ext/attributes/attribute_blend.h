@@ -26,6 +26,54 @@ struct BlendStep {
   }
 };
 
+/// The attributes of `keep` move towards those of `gone`. Vertices have the numbers that they had
+/// at the start.
+struct EdgeStep {
+  int keep = BlendStep::none;
+  int gone = BlendStep::none;
+  float t = 0.0f;  ///< 0..1, from keep to gone
+};
+
+/// How attributes went along some collapses, in an order in which it can be replayed: by one of the
+/// two.
+struct BlendSteps {
+  std::vector<BlendStep> over_surface;
+  std::vector<EdgeStep> on_edge;
+
+  void append(const BlendSteps& o) {
+    over_surface.insert(over_surface.end(), o.over_surface.begin(), o.over_surface.end());
+    on_edge.insert(on_edge.end(), o.on_edge.begin(), o.on_edge.end());
+  }
+};
+
+inline BlendStep step_on_edge(int keep, int gone, double t) {
+  return BlendStep::at(keep, {keep, gone, gone}, {1.0 - t, t, 0.0});
+}
+
+/// Finds the nearest point to x on some faces.
+class NearestStep {
+ public:
+  /// otherwise: the step where there is no face.
+  NearestStep(const Vector3& x, const BlendStep& otherwise) : x_(x), step_(otherwise) {}
+
+  /// corners: numbers of the face's vertices; normal: of length 1, or zero.
+  void look_at(const Triangle& triangle, const Vector3& normal, const Face& corners) {
+    const double height = normal.dot(x_ - triangle[0]);
+    if (height * height >= least2_) return;  // its plane is further away already
+    const Barycentric weight = closest_point(triangle, x_);
+    const double distance2 = (at(triangle, weight) - x_).squaredNorm();
+    if (distance2 < least2_)
+      least2_ = distance2, step_ = BlendStep::at(step_.keep, corners, weight);
+  }
+
+  const BlendStep& step() const { return step_; }
+
+ private:
+  const Vector3 x_;
+  double least2_ = std::numeric_limits<double>::infinity();
+  BlendStep step_;
+};
+
 /// Notes for every collapse where, on the surface just before it, the merged vertex takes its
 /// attributes from: the nearest point of the faces around the edge. An attribute that is affine in
 /// position is so carried over the surface and not only along the edge. Where no attribute but the
@@ -40,6 +88,13 @@ class BlendRecord : public CollapseObserver {
 
   /// The record of collapses that were done already.
   explicit BlendRecord(std::vector<BlendStep> steps) : over_surface_(std::move(steps)) {}
+
+  bool is_over_surface() const { return is_over_surface_; }
+
+  /// The first collapses, which no mesh was at hand for, as is_over_surface() says.
+  void begin_with(BlendSteps steps) {
+    over_surface_ = std::move(steps.over_surface), on_edge_ = std::move(steps.on_edge);
+  }
 
   void make_room(int count) override {
     is_over_surface_ ? over_surface_.resize(count) : on_edge_.resize(count);
@@ -62,7 +117,7 @@ class BlendRecord : public CollapseObserver {
   void copied(const WorkingMesh& mesh, int v, int source, int number) override {
     const int to = mesh.vertex_origin[v], from = mesh.vertex_origin[source];
     if (is_over_surface_)
-      over_surface_[number] = on_edge(to, from, 1.0);
+      over_surface_[number] = step_on_edge(to, from, 1.0);
     else
       on_edge_[number] = {to, from, 1.0f};
   }
@@ -75,35 +130,17 @@ class BlendRecord : public CollapseObserver {
     for (const BlendStep& step : over_surface_)
       if (step.keep != BlendStep::none) use(step);
     for (const EdgeStep& step : on_edge_)
-      if (step.keep != BlendStep::none) use(on_edge(step.keep, step.gone, step.t));
+      if (step.keep != BlendStep::none) use(step_on_edge(step.keep, step.gone, step.t));
   }
 
  private:
-  struct EdgeStep {
-    int keep = BlendStep::none, gone = BlendStep::none;
-    float t = 0.0f;
-  };
-
-  static BlendStep on_edge(int keep, int gone, double t) {
-    return BlendStep::at(keep, {keep, gone, gone}, {1.0 - t, t, 0.0});
-  }
-
   static BlendStep nearest_on_surface(const WorkingMesh& mesh, const EdgeNeighborhood& around,
                                       const VertexMerge& merge) {
-    const Vector3& x = merge.now;
-    BlendStep nearest = on_edge(merge.keep, merge.gone, merge.t);
-    double least = std::numeric_limits<double>::infinity();
+    NearestStep nearest(merge.now, step_on_edge(merge.keep, merge.gone, merge.t));
     for (const auto* faces : {&around.wings(), &around.star()})
-      for (int f : *faces) {
-        const Triangle triangle = mesh.triangle(f);
-        const double height = mesh.plane[f].normal.dot(x - triangle[0]);
-        if (height * height >= least) continue;  // its plane is further away already
-        const Barycentric weight = closest_point(triangle, x);
-        const double distance2 = (at(triangle, weight) - x).squaredNorm();
-        if (distance2 < least)
-          least = distance2, nearest = BlendStep::at(merge.keep, mesh.connectivity.face(f), weight);
-      }
-    return nearest;
+      for (int f : *faces)
+        nearest.look_at(mesh.triangle(f), mesh.plane[f].normal, mesh.connectivity.face(f));
+    return nearest.step();
   }
 
   bool is_over_surface_ = true;

@@ -30,6 +30,9 @@ struct Carried {
     return observers;
   }
 
+  /// Whether it follows from the steps of the vertices alone.
+  bool is_by_vertex() const { return !copies && !wedges; }
+
   RemovalObservers removal_observers() {
     return wedges ? RemovalObservers{&*wedges} : RemovalObservers{};
   }

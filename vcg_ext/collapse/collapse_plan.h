@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <limits>
+
 #include "vcg_ext/guard/limits.h"
 #include "vcg_ext/mesh/tally.h"
 #include "vcg_ext/metric/metric_plan.h"
@@ -8,8 +10,11 @@
 
 namespace curvdecim::detail {
 
+inline constexpr int no_passes = std::numeric_limits<int>::max();
+
 /// In which order edges collapse (docs/decisions/rounds.md).
 struct Schedule {
+  int passes_goal = no_passes;  ///< faces of the working mesh at which passes end
   double round_share =
       0.0;  ///< share of the choices that may be candidates in a round; 0: no rounds
   bool eager =

@@ -28,10 +28,10 @@ template <class MetricType>
 class RoundSchedule {
  public:
   /// largest_share: of the vertices' choices that may be candidates, 0..1. Fewer take more rounds
-  /// and follow the greedy order more closely.
+  /// and follow the greedy order more closely. next_number: of the next collapse.
   RoundSchedule(WorkingMesh& mesh, CollapseOperator<MetricType>& collapses,
                 HubRests<MetricType>& rests, const StopCriterion& stop, double largest_share,
-                const Parallel& parallel)
+                int next_number, const Parallel& parallel)
       : mesh_(mesh),
         collapses_(collapses),
         rests_(rests),
@@ -44,7 +44,8 @@ class RoundSchedule {
         choices_(mesh.connectivity.vertex_slots()),
         selection_(mesh.connectivity, choices_),
         scratch_(parallel.threads()),
-        near_hub_(parallel.threads()) {}
+        near_hub_(parallel.threads()),
+        next_number_(next_number) {}
 
   /// Collapses until the target is reached, or few candidates are left that lie apart. Returns the
   /// number of the next collapse.
@@ -84,9 +85,10 @@ class RoundSchedule {
   /// To choose takes about half of a round. Of the candidates a third lies too near to others.
   void choose_with_progress() {
     constexpr double half = 0.5, collapsed = 0.7;
+    const int faces = mesh_.connectivity.face_count();
     const double round = collapsed * share() * mesh_.connectivity.vertex_count();
-    const double now = stop_.progress(mesh_.connectivity),
-                 then = stop_.progress(mesh_.connectivity, {static_cast<int>(2.0 * round), 0});
+    const double now = stop_.progress(faces),
+                 then = stop_.progress(faces - static_cast<int>(2.0 * round));
     parallel_.progress().along(now, now + half * (then - now), [&] { choose(); });
   }
 
@@ -311,7 +313,7 @@ class RoundSchedule {
   std::vector<Scratch> scratch_;            // by worker
   std::vector<std::vector<int>> near_hub_;  // by worker: vertices that still have to choose
   std::vector<Pick> picks_;
-  int next_number_ = 0;  // of the next collapse; numbers of picks that were dropped stay unused
+  int next_number_;  // of the next collapse; numbers of picks that were dropped stay unused
 };
 
 }  // namespace curvdecim::detail

@@ -38,11 +38,12 @@ struct StopCriterion {
                     1.0 * (connectivity.vertex_count() - vertices));
   }
 
-  /// The part of the faces to go that is gone, 0..1. once_removed: what is about to go.
-  double progress(const TriangleConnectivity& connectivity,
-                  const Removed& once_removed = {}) const {
-    const int gone = start - connectivity.face_count() + once_removed.faces;
-    return std::clamp(gone / std::max(1.0, faces_to_go()), 0.0, 1.0);
+  /// The part of the faces to go that is gone, 0..1. left: faces of the working mesh.
+  double progress(int left) const {
+    return std::clamp((start - left) / std::max(1.0, faces_to_go()), 0.0, 1.0);
+  }
+  double progress(const TriangleConnectivity& connectivity) const {
+    return progress(connectivity.face_count());
   }
 
   /// From the start to the target, if each collapse removes two faces and a vertex.

@@ -29,6 +29,39 @@ class CurvatureWeightedMetric {
     if (follows_current()) current_.initialize(parallel);
   }
 
+  // --- passes (passes/)
+  // ---------------------------------------------------------------------------
+
+  bool allows_passes() const { return weighs_planes() && quadric_.allows_passes(); }
+
+  bool is_smooth(int v) const { return quadric_.is_smooth(v); }
+
+  PassWeight pass_weight(int v) const {
+    return {saturation_[v], area_[v], static_cast<float>(quadric_.factor(v))};
+  }
+
+  /// Of a vertex that two have become.
+  PassWeight merged(const PassWeight& keep, const PassWeight& gone) const {
+    const double saturation = averaged(keep.saturation, keep.area, gone.saturation, gone.area);
+    return {static_cast<float>(saturation), keep.area + gone.area,
+            static_cast<float>(root(saturation))};
+  }
+
+  std::vector<SmallQuadric> take_memory(const Parallel& parallel) {
+    return quadric_.take_memory(parallel);
+  }
+
+  void resume(const std::vector<SmallQuadric>& memory, const std::vector<PassWeight>& weights,
+              const Parallel& parallel) {
+    saturation_.resize(weights.size()), area_.resize(weights.size());
+    for (std::size_t v = 0; v < weights.size(); ++v)
+      saturation_[v] = weights[v].saturation, area_[v] = weights[v].area;
+    quadric_.resume(memory, weights, parallel);
+  }
+
+  // --- costs
+  // ----------------------------------------------------------------------------------------
+
   std::optional<Candidate> evaluate(Edge edge, Allowed allowed, const Vector3& wings) const {
     std::optional<Candidate> candidate = quadric_.evaluate(edge, allowed, wings);
     if (candidate) candidate->cost *= factor(edge);
@@ -108,9 +141,12 @@ class CurvatureWeightedMetric {
   }
 
   /// By the input's area that has gone into each.
+  static double averaged(double kept, double kept_area, double gone, double gone_area) {
+    const double area = kept_area + gone_area;
+    return area > 0.0 ? kept + gone_area / area * (gone - kept) : kept;
+  }
   double averaged(int keep, int gone) const {
-    const double kept = saturation_[keep], area = double(area_[keep]) + area_[gone];
-    return area > 0.0 ? kept + area_[gone] / area * (saturation_[gone] - kept) : kept;
+    return averaged(saturation_[keep], area_[keep], saturation_[gone], area_[gone]);
   }
 
   void average(int keep, int gone) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -14,6 +15,7 @@
 #include "vcg_ext/metric/metric.h"
 #include "vcg_ext/metric/placement.h"
 #include "vcg_ext/parallel/parallel.h"
+#include "vcg_ext/passes/pass_surface.h"
 
 namespace curvdecim::detail {
 
@@ -30,14 +32,61 @@ class QuadricMetric {
   void initialize(const Parallel& parallel, std::vector<float> factors = {}) {
     factor_ = std::move(factors);
     sum_.resize(mesh_.position.size());
+    smooth_.assign(mesh_.position.size(), 1);
     ConstraintQuadrics(mesh_, plan_).build(parallel, [&](int v, const Symmetric3& plane) {
       sum_[v].a += plane;
+      smooth_[v] = 0;
     });
     parallel.for_each(static_cast<int>(sum_.size()), [&](int v) {
       const Symmetric3 around = matrix_around(v), input = around + sum_[v].a * factor(v);
       sum_[v].a = memoryless_ ? input * memory + around + boundary(v) : input;
     });
   }
+
+  // --- passes (passes/)
+  // ---------------------------------------------------------------------------
+
+  /// Whether they compute as this plan says.
+  bool allows_passes() const {
+    return memoryless_ && plan_.keeps_topology && plan_.placement == Placement::Optimal &&
+           plan_.plane_weight == PlaneWeight::Area;
+  }
+
+  /// False at boundary and feature edges of the input, which are held by planes of their own.
+  bool is_smooth(int v) const { return smooth_[v] != 0; }
+
+  /// By vertex; resume() has to follow.
+  std::vector<SmallQuadric> take_memory(const Parallel& parallel) {
+    std::vector<SmallQuadric> remembered(sum_.size());
+    parallel.for_each(static_cast<int>(sum_.size()), [&](int v) {
+      Quadric quadric = sum_[v].quadric();
+      quadric.a -= matrix_around(v) + boundary(v);
+      remembered[v] = SmallQuadric(quadric);
+    });
+    sum_ = {};
+    return remembered;
+  }
+
+  PassWeight pass_weight(int v) const { return {1.0f, 0.0f, static_cast<float>(factor(v))}; }
+
+  /// Of a vertex that two have become.
+  static PassWeight merged(const PassWeight&, const PassWeight&) { return {}; }
+
+  /// On the mesh as it is now.
+  void resume(const std::vector<SmallQuadric>& remembered, const std::vector<PassWeight>& weights,
+              const Parallel& parallel) {
+    const int count = static_cast<int>(remembered.size());
+    if (!factor_.empty()) factor_.resize(count);
+    for (std::size_t v = 0; v < factor_.size(); ++v) factor_[v] = weights[v].factor;
+    sum_.resize(count);
+    parallel.for_each(count, [&](int v) {
+      sum_[v] = Carried(remembered[v].quadric());
+      sum_[v].a += matrix_around(v) + boundary(v);
+    });
+  }
+
+  // --- costs
+  // ----------------------------------------------------------------------------------------
 
   /// wings: sum of the area vectors of the faces at the edge.
   std::optional<Candidate> evaluate(Edge edge, Allowed allowed, const Vector3& wings) const {
@@ -79,12 +128,13 @@ class QuadricMetric {
     if (plan_.placement != Placement::Optimal) return estimate_one_by_one(v, others, costs);
     const Vector3& at = mesh_.position[v];
     const Quadric quadric = sum_[v].quadric();
-    const VertexPair both(at, quadric, at, quadric);
+    const VertexLanes<Pair> both = vertex_pair(at, quadric, at, quadric);
     for (std::size_t i = 0; i < others.size(); i += 2) {
       const int p = others[i], q = others[std::min(i + 1, others.size() - 1)];
-      const VertexPair pair(mesh_.position[p], sum_[p].quadric(), mesh_.position[q],
-                            sum_[q].quadric());
-      const Pair cost = least_costs(both, pair, {relative_pull, rounding * rounding});
+      const VertexLanes<Pair> pair =
+          vertex_pair(mesh_.position[p], sum_[p].quadric(), mesh_.position[q], sum_[q].quadric());
+      const Pair cost =
+          least_costs(both, pair, CostScale<double>{relative_pull, rounding * rounding});
       costs[i] = cost[0];
       if (i + 1 < costs.size()) costs[i + 1] = cost[1];
     }
@@ -239,6 +289,7 @@ class QuadricMetric {
   const bool memoryless_;
   std::vector<Carried> sum_;   // by vertex, about it; memoryless: of planes remembered and current
   std::vector<float> factor_;  // by vertex, or empty: on the weight of planes
+  std::vector<std::uint8_t> smooth_;  // by vertex of the input
 };
 
 }  // namespace curvdecim::detail

@@ -31,6 +31,19 @@ inline Schedule schedule_of(Scheduler scheduler, bool keeps_topology) {
   return schedule;
 }
 
+/// At the end of a run single collapses count, and what passes hold has its turn
+/// (docs/decisions/passes.md).
+inline int passes_goal(const EdgeCollapseParams& params, const StopCriterion& stop) {
+  constexpr double times_target = 2.0, times_target_fast = 1.1, times_target_refined = 4.0;
+  constexpr double least = 10000.0;  // faces: what is smaller takes no time
+  if (params.scheduler != Scheduler::Rounds && params.scheduler != Scheduler::FewRounds)
+    return no_passes;
+  const double times = params.scheduler == Scheduler::FewRounds ? times_target_fast
+                       : params.refine_sweeps > 0               ? times_target_refined
+                                                                : times_target;
+  return static_cast<int>(std::max(least, times * (stop.start - stop.faces_to_go())));
+}
+
 inline QuadricPlan quadric_plan(const DecimationParams& params, const QuadricParams& quadrics,
                                 bool keeps_topology) {
   return {quadrics, params.boundary_weight, params.feature_angle, keeps_topology};
@@ -59,9 +72,10 @@ inline Timetable collapse_times(const CollapsePlan& plan) {
   const bool has_spheres = std::holds_alternative<AnchoredSpherePlan>(plan.metric) ||
                            std::holds_alternative<InterpolatedSpherePlan>(plan.metric);
   const double faces = plan.stop.start, gone = plan.stop.faces_to_go();
+  const double in_passes = std::clamp(faces - plan.schedule.passes_goal, 0.0, gone);
   const double sweep = 500.0 * faces + 3800.0 * (faces - gone);
-  return {(has_spheres ? 780.0 : 330.0) * faces, 1600.0 * gone, sweep * plan.refine_sweeps,
-          140.0 * faces};
+  return {(has_spheres ? 780.0 : 330.0) * faces, 350.0 * in_passes + 1600.0 * (gone - in_passes),
+          sweep * plan.refine_sweeps, 140.0 * faces};
 }
 
 /// What every run of collapses has, whatever its metric; nullopt: the mesh is small enough.
@@ -95,6 +109,8 @@ inline std::optional<CollapsePlan> plan_collapse(const EdgeCollapseParams& reque
   plan->limits.topology_gives_way = plan->limits.topology_gives_way && keeps_links;
   if (params.plane_weight == PlaneWeight::Unit) plan->cost_unit = CostUnit::SquaredLength;
   plan->pair_distance = params.pair_distance / input.diagonal;
+  if (keeps_links && params.max_error == 0.0)
+    plan->schedule.passes_goal = passes_goal(params, plan->stop);
   // No bound is known for a vertex that moves on its own, and HalfEdge moves none.
   if (params.max_error == 0.0 && params.placement != Placement::HalfEdge)
     plan->refine_sweeps = params.refine_sweeps;

@@ -1,0 +1,335 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+#include <set>
+#include <vector>
+
+#include "support/drawn_meshes.h"
+#include "support/properties.h"
+#include "support/working_mesh.h"
+#include "vcg_ext/metric/curvature_weighted_metric.h"
+#include "vcg_ext/passes/collapse_in_passes.h"
+
+namespace curvdecim::test {
+
+using namespace detail;
+
+namespace {
+
+const Parallel one_thread(1);
+constexpr double no_limit = 1e300;
+
+PassSurface surface_of(const Shape& shape) {
+  PassSurface surface;
+  surface.position = shape.vertices;
+  surface.faces = shape.faces;
+  surface.memory.resize(shape.vertices.size()), surface.weight.resize(shape.vertices.size());
+  surface.held.resize(shape.vertices.size(), 0);
+  surface.vertex_before.resize(shape.vertices.size());
+  surface.face_before.resize(shape.faces.size());
+  std::iota(surface.vertex_before.begin(), surface.vertex_before.end(), 0);
+  std::iota(surface.face_before.begin(), surface.face_before.end(), 0);
+  return surface;
+}
+
+std::vector<int> nothing_merged(const PassSurface& surface) {
+  std::vector<int> into(surface.position.size());
+  std::iota(into.begin(), into.end(), 0);
+  return into;
+}
+
+FanLists fans_of(const PassSurface& surface) {
+  FanLists fans;
+  fans.build(surface.faces, surface.vertex_count(), one_thread, [](int) { return true; });
+  return fans;
+}
+
+// --- the faces of a fan --------------------------------------------------------------------------
+
+TEST(FanFaces, AddUpToTheMatrixAndTheAreaOfTheFaces) {
+  const WorkingMesh mesh = working_mesh(bumpy_sphere(2));
+  const PassSurface surface = surface_of(bumpy_sphere(2));
+  const FanLists fans = fans_of(surface);
+  for (int v = 0; v < surface.vertex_count(); ++v) {
+    FanPoints points(surface.position[v]);
+    for (int u : fans.of(v)) points.add(surface.position[u], 1.0f);
+    points.close();
+    const FanFaces faces(points, Vector3::Zero(), 1.0f);
+    Symmetric3 matrix;
+    for (int f : mesh.connectivity.faces_of(v))
+      matrix += plane_matrix(mesh.plane[f], PlaneWeight::Area);
+    const Symmetric3 error = matrix - faces.matrix();
+    for (double e : {error.xx, error.xy, error.xz, error.yy, error.yz, error.zz})
+      EXPECT_NEAR(e, 0.0, 1e-6 * matrix.trace());
+    const Vector3 area = area_vector_around(mesh, v);
+    EXPECT_NEAR((faces.area() - area).norm(), 0.0, 1e-6 * area.norm());
+    Vector3 one_by_one = Vector3::Zero();
+    for (int i = 0; i < points.size(); ++i) one_by_one += faces.area_of(i);
+    EXPECT_NEAR((one_by_one - area).norm(), 0.0, 1e-6 * area.norm());
+  }
+}
+
+TEST(FanFaces, CountByTheMeanOfTheirFactors) {
+  const PassSurface surface = surface_of(fan(5));
+  const FanLists fans = fans_of(surface);
+  FanPoints points(surface.position[0]), heavy(surface.position[0]);
+  for (int u : fans.of(0))
+    points.add(surface.position[u], 1.0f), heavy.add(surface.position[u], 4.0f);
+  points.close(), heavy.close();
+  const double once = FanFaces(points, Vector3::Zero(), 1.0f).matrix().trace();
+  EXPECT_NEAR(FanFaces(heavy, Vector3::Zero(), 1.0f).matrix().trace(), 3.0 * once, 1e-6 * once);
+  EXPECT_NEAR(FanFaces(points, Vector3::Zero(), 7.0f).matrix().trace(), 3.0 * once, 1e-6 * once);
+}
+
+// --- single edges --------------------------------------------------------------------------------
+
+class Look : public testing::Test {
+ protected:
+  std::optional<PassCandidate> at(const Shape& shape, int a, int b, double limit = no_limit,
+                                  FaceLimits limits = {}) {
+    const PassSurface surface = surface_of(shape);
+    const FanLists fans = fans_of(surface);
+    return FanCollapse(surface, fans, limits).look(a, b, nothing_merged(surface), limit);
+  }
+};
+
+/// A grid of 6 x 6 cells has its inner vertices 24 and 25 in a row.
+TEST_F(Look, CostsNothingInAPlane) {
+  const Shape grid = plane_grid(6);
+  const auto found = at(grid, 24, 25);
+  ASSERT_TRUE(found.has_value());
+  EXPECT_EQ(found->cost, 0.0);
+  EXPECT_NEAR(found->position.z(), 0.0, 1e-7);
+}
+
+TEST_F(Look, RefusesWhatCostsMoreThanTheLimit) {
+  const Shape ball = icosphere(2);
+  const int b = ball.faces[0][1], a = ball.faces[0][0];
+  const auto found = at(ball, a, b);
+  ASSERT_TRUE(found.has_value());
+  EXPECT_GT(found->cost, 0.0);
+  EXPECT_TRUE(at(ball, a, b, found->cost).has_value());
+  EXPECT_FALSE(at(ball, a, b, 0.99 * found->cost).has_value());
+}
+
+TEST_F(Look, KeepsTheVolume) {
+  const Shape ball = icosphere(2);
+  const int a = ball.faces[0][0], b = ball.faces[0][1];
+  const auto found = at(ball, a, b);
+  ASSERT_TRUE(found.has_value());
+  Shape after = ball;
+  after.vertices[a] = after.vertices[b] = found->position;
+  EXPECT_NEAR(volume(after), volume(ball), 1e-5 * volume(ball));
+}
+
+TEST_F(Look, RefusesAThirdCommonNeighbour) {
+  EXPECT_FALSE(at(tetrahedron(), 0, 1).has_value());
+  EXPECT_FALSE(at(octahedron(), octahedron().faces[0][0], octahedron().faces[0][1]).has_value());
+}
+
+TEST_F(Look, RefusesEdgesOfTheBorder) { EXPECT_FALSE(at(plane_grid(6), 1, 8).has_value()); }
+
+/// The vertices 24 and 25 and the others of a grid, of which one stands so that its faces lie the
+/// other way round when both meet in the middle.
+TEST_F(Look, RefusesToTurnAFaceOver) {
+  Shape grid = plane_grid(6);
+  const double step = 1.0 / 6.0;
+  grid.vertices[31] += Vector3(-0.45 * step, -0.96 * step, 0.0);
+  grid.vertices[32] += Vector3(-0.55 * step, -0.97 * step, 0.0);
+  int refused = 0, turned = 0;
+  FaceLimits any;
+  any.keeps_normal = false;
+  for (const Corners& face : grid.faces)
+    for (int i = 0; i < 3; ++i) {
+      const int a = face[i], b = face[(i + 1) % 3];
+      const bool possible = at(grid, a, b, no_limit, any).has_value();
+      refused += !at(grid, a, b).has_value() && possible;
+      if (const auto found = at(grid, a, b)) {
+        Shape after = grid;
+        after.vertices[a] = after.vertices[b] = found->position;
+        for (const Corners& f : after.faces) {
+          const auto t = corners_of(after, f), was = corners_of(grid, f);
+          turned += area_vector(t[0], t[1], t[2]).dot(area_vector(was[0], was[1], was[2])) < 0.0;
+        }
+      }
+    }
+  EXPECT_GT(refused, 0);
+  EXPECT_EQ(turned, 0);
+}
+
+TEST_F(Look, SeesNeighboursThatHaveMergedInThisPass) {
+  const Shape ball = icosphere(2);
+  PassSurface surface = surface_of(ball);
+  const FanLists fans = fans_of(surface);
+  const int a = 0, b = fans.of(a).first[0];
+  std::vector<int> into = nothing_merged(surface);
+  const FaceLimits limits;
+  const auto before = FanCollapse(surface, fans, limits).look(a, b, into, no_limit);
+  const int left = fans.of(a).first[2], right = fans.of(a).first[3];
+  into[right] = left;
+  const auto after = FanCollapse(surface, fans, limits).look(a, b, into, no_limit);
+  ASSERT_TRUE(before && after);
+  EXPECT_NE(before->position, after->position);
+}
+
+// --- the surface ---------------------------------------------------------------------------------
+
+TEST(PassSurface, ClosesGapsInOrder) {
+  const Shape grid = plane_grid(4);
+  for (int threads : {1, 3}) {
+    const Parallel parallel(threads);
+    PassSurface surface = surface_of(grid);
+    std::vector<int> into = nothing_merged(surface);
+    into[7] = 6;
+    surface.close_gaps(into, parallel);
+    EXPECT_EQ(surface.vertex_count(), grid.vertex_count() - 1);
+    EXPECT_EQ(surface.face_count(), grid.face_count() - 2);
+    for (int v = 0; v < surface.vertex_count(); ++v) {
+      EXPECT_EQ(surface.vertex_before[v], v < 7 ? v : v + 1);
+      EXPECT_EQ(surface.position[v], grid.vertices[surface.vertex_before[v]]);
+    }
+    for (int f = 0; f < surface.face_count(); ++f) {
+      const Corners& was = grid.faces[surface.face_before[f]];
+      for (int i = 0; i < 3; ++i)
+        EXPECT_EQ(surface.vertex_before[surface.faces[f][i]], into[was[i]]);
+    }
+  }
+}
+
+// --- whole runs ----------------------------------------------------------------------------------
+
+struct Passed {
+  WorkingMesh mesh;
+  BlendSteps steps;
+};
+
+class Passes : public testing::Test {
+ protected:
+  static CollapsePlan to(const WorkingMesh& mesh, int faces) {
+    CollapsePlan plan;
+    plan.stop.start = mesh.connectivity.face_count(), plan.stop.faces = faces / 2;
+    plan.schedule.passes_goal = faces;
+    return plan;
+  }
+
+  static Passed run(WorkingMesh mesh, const CollapsePlan& plan, const Parallel& parallel,
+                    bool over_surface = false) {
+    CurvatureWeightedMetric metric(mesh, {});
+    metric.initialize(parallel);
+    BlendRecord record(over_surface);
+    const int count = collapse_in_passes(mesh, metric, plan, record, parallel);
+    mesh.connectivity.validate();
+    BlendSteps steps;
+    record.for_each([&](const BlendStep& step) { steps.over_surface.push_back(step); });
+    EXPECT_EQ(static_cast<int>(steps.over_surface.size()), count);
+    return {std::move(mesh), std::move(steps)};
+  }
+
+  /// How far, at the most, position as an attribute ends from the position, to how far vertices
+  /// went.
+  static double error_of_replay(const WorkingMesh& mesh, const Passed& passed) {
+    std::vector<Vector3> at = mesh.position;
+    for (const BlendStep& step : passed.steps.over_surface) {
+      Vector3 sum = Vector3::Zero();
+      for (int i = 0; i < 3; ++i) sum += double(step.weight[i]) * at[step.from[i]];
+      at[step.keep] = sum;
+    }
+    double furthest = 0.0, moved = 0.0;
+    for (std::size_t v = 0; v < passed.mesh.position.size(); ++v) {
+      const int was = passed.mesh.vertex_origin[v];
+      furthest = std::max(furthest, (passed.mesh.position[v] - at[was]).norm());
+      moved = std::max(moved, (passed.mesh.position[v] - mesh.position[was]).norm());
+    }
+    return furthest / moved;
+  }
+};
+
+TEST_F(Passes, EndAtTheGoalAndKeepTheTopology) {
+  const Shape ball = scaled(bumpy_sphere(5), 0.25);
+  for (int goal : {12000, 5000, 1000}) {
+    const WorkingMesh mesh = working_mesh(ball);
+    const Shape left = shape_of(run(mesh, to(mesh, goal), one_thread).mesh);
+    EXPECT_GE(left.face_count(), goal - 1);
+    EXPECT_LE(left.face_count(), 1.05 * goal);
+    EXPECT_TRUE(keeps_topology(topology(ball), topology(left))) << topology(left);
+  }
+}
+
+TEST_F(Passes, AreTheSameForAnyNumberOfThreads) {
+  const WorkingMesh mesh = working_mesh(scaled(bumpy_sphere(5), 0.25));
+  const Passed one = run(mesh, to(mesh, 3000), one_thread);
+  for (int threads : {2, 5}) {
+    const Passed many = run(mesh, to(mesh, 3000), Parallel(threads));
+    EXPECT_EQ(shape_of(many.mesh), shape_of(one.mesh));
+    ASSERT_EQ(many.steps.over_surface.size(), one.steps.over_surface.size());
+    for (std::size_t i = 0; i < one.steps.over_surface.size(); ++i) {
+      const BlendStep &a = many.steps.over_surface[i], &b = one.steps.over_surface[i];
+      ASSERT_TRUE(a.keep == b.keep && a.from == b.from && a.weight == b.weight);
+    }
+  }
+}
+
+TEST_F(Passes, LeaveWhatIsHeld) {
+  WorkingMesh mesh = working_mesh(scaled(bumpy_sphere(5), 0.25));
+  for (int v = 0; v < 400; ++v) mesh.locked[v] = 1;
+  const Passed passed = run(mesh, to(mesh, 5000), one_thread);
+  std::set<int> left;
+  for (std::size_t v = 0; v < passed.mesh.position.size(); ++v) {
+    const int was = passed.mesh.vertex_origin[v];
+    left.insert(was);
+    EXPECT_EQ(passed.mesh.locked[v] != 0, was < 400);
+    if (was < 400) {
+      EXPECT_EQ(passed.mesh.position[v], mesh.position[was]);
+    }
+  }
+  for (int v = 0; v < 400; ++v) EXPECT_EQ(left.count(v), 1u);
+}
+
+TEST_F(Passes, DoNothingWhereMuchIsHeld) {
+  WorkingMesh mesh = working_mesh(scaled(bumpy_sphere(4), 0.25));
+  const auto lock = [&](double part) {
+    std::fill_n(mesh.locked.begin(), static_cast<int>(part * mesh.locked.size()), 1);
+    return run(mesh, to(mesh, 3000), one_thread).mesh.connectivity.face_count();
+  };
+  const int all = mesh.connectivity.face_count();
+  EXPECT_LT(lock(0.1), all);
+  EXPECT_EQ(lock(0.2), all);
+}
+
+TEST_F(Passes, KeepTheOriginOfFaces) {
+  const WorkingMesh mesh = working_mesh(scaled(bumpy_sphere(4), 0.25));
+  const WorkingMesh after = run(mesh, to(mesh, 3000), one_thread).mesh;
+  std::set<int> origins(after.face_origin.begin(), after.face_origin.end());
+  EXPECT_EQ(static_cast<int>(origins.size()), after.connectivity.face_count());
+  int held = 0;
+  for (int f = 0; f < after.connectivity.face_slots(); ++f) {
+    const Face& was = mesh.connectivity.face(after.face_origin[f]);
+    for (int i = 0; i < 3; ++i)
+      held += after.vertex_origin[after.connectivity.face(f)[i]] == was[i];
+  }
+  EXPECT_GT(held, after.connectivity.face_count()) << "most corners are the vertices they were";
+}
+
+TEST_F(Passes, NoteStepsThatCanBeReplayed) {
+  const WorkingMesh mesh = working_mesh(scaled(bumpy_sphere(4), 0.25));
+  for (int threads : {1, 3}) {
+    const Parallel parallel(threads);
+    const Passed edges = run(mesh, to(mesh, 3000), parallel),
+                 surface = run(mesh, to(mesh, 3000), parallel, true);
+    EXPECT_LT(error_of_replay(mesh, edges), 0.3);
+    EXPECT_LT(error_of_replay(mesh, surface), 0.5 * error_of_replay(mesh, edges));
+  }
+}
+
+TEST_F(Passes, AreScaledToTheBit) {
+  const Shape ball = bumpy_sphere(4);
+  const WorkingMesh small = working_mesh(scaled(ball, 0.25)), large = working_mesh(scaled(ball, 1));
+  const Shape a = shape_of(run(small, to(small, 3000), one_thread).mesh),
+              b = shape_of(run(large, to(large, 3000), one_thread).mesh);
+  EXPECT_EQ(scaled(a, 4.0), b);
+}
+
+}  // namespace
+}  // namespace curvdecim::test

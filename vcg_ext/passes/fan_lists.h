@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+#include "vcg_ext/mesh/triangle_connectivity.h"
+#include "vcg_ext/parallel/parallel.h"
+
+namespace curvdecim::detail {
+
+/// The neighbours of every vertex in the order of the faces around it, from the least one on, where
+/// these form one closed fan and are oriented alike. The lists lie one after the other.
+class FanLists {
+ public:
+  static constexpr int longest = 16;  ///< neighbours: others have very many faces, and are left out
+
+  /// wanted(v): whether v's list is.
+  template <class Wanted>
+  void build(const std::vector<Face>& faces, int vertices, const Parallel& parallel,
+             Wanted wanted) {
+    count(faces, vertices, parallel, wanted);
+    corners_.resize(begin_.back());
+    fan_.resize(begin_.back());
+    closed_.resize(vertices);
+    fill(faces, parallel, wanted);
+    parallel.for_each(vertices, [&](int v) { closed_[v] = put_in_order(v); });
+  }
+
+  /// Empty where there is none.
+  IndexRange of(int v) const {
+    const int* first = fan_.data() + begin_[v];
+    return {first, closed_[v] != 0 ? fan_.data() + begin_[v + 1] : first};
+  }
+
+ private:
+  struct Corner {
+    int next, last;  // the face's other corners, in its order
+  };
+
+  static constexpr int most_pieces = 8;  // each has a counter a vertex
+
+  int pieces(const Parallel& parallel, std::size_t faces) const {
+    return faces < 2 * Parallel::light.least ? 1 : std::min(most_pieces, parallel.threads());
+  }
+
+  /// Of the vertex's faces those of earlier pieces come first: the order is that of the faces.
+  template <class Wanted>
+  void count(const std::vector<Face>& faces, int vertices, const Parallel& parallel,
+             Wanted wanted) {
+    const int parts = pieces(parallel, faces.size());
+    place_.resize(parts);
+    for_parts(faces, parallel, [&](int part, int begin, int end) {
+      std::vector<int>& count = place_[part];
+      count.assign(vertices, 0);
+      for (int f = begin; f < end; ++f)
+        for (int v : faces[f]) count[v] += wanted(v);
+    });
+    begin_.resize(vertices + 1);
+    int at = 0;
+    for (int v = 0; v < vertices; ++v) {
+      begin_[v] = at;
+      for (int part = 0; part < parts; ++part) at += std::exchange(place_[part][v], at);
+    }
+    begin_[vertices] = at;
+  }
+
+  template <class Wanted>
+  void fill(const std::vector<Face>& faces, const Parallel& parallel, Wanted wanted) {
+    for_parts(faces, parallel, [&](int part, int begin, int end) {
+      std::vector<int>& place = place_[part];
+      for (int f = begin; f < end; ++f) {
+        const auto [a, b, c] = faces[f];
+        if (wanted(a)) corners_[place[a]++] = {b, c};
+        if (wanted(b)) corners_[place[b]++] = {c, a};
+        if (wanted(c)) corners_[place[c]++] = {a, b};
+      }
+    });
+  }
+
+  template <class Work>
+  void for_parts(const std::vector<Face>& faces, const Parallel& parallel, Work work) {
+    const auto count = static_cast<std::int64_t>(faces.size());
+    const int parts = static_cast<int>(place_.size());
+    parallel.for_each(
+        parts,
+        [&](int part) {
+          work(part, static_cast<int>(count * part / parts),
+               static_cast<int>(count * (part + 1) / parts));
+        },
+        Grain{1, parts});
+  }
+
+  /// False where the corners are no closed fan.
+  bool put_in_order(int v) {
+    Corner* const corners = corners_.data() + begin_[v];
+    int* const fan = fan_.data() + begin_[v];
+    const int size = begin_[v + 1] - begin_[v];
+    if (size < 3 || size > longest) return false;
+    int at = 0;
+    for (int i = 1; i < size; ++i)
+      if (corners[i].next < corners[at].next) at = i;
+    for (int i = 0; i < size; ++i) {
+      const Corner corner = corners[at];
+      fan[i] = corner.next;
+      std::swap(corners[at], corners[i]);  // it is used up
+      if (i + 1 == size) return corner.last == fan[0] && are_different(fan, size);
+      for (at = i + 1; at < size && corners[at].next != corner.last;) ++at;
+      if (at == size) return false;
+    }
+    return false;
+  }
+
+  static bool are_different(const int* fan, int size) {
+    for (int i = 1; i < size; ++i)
+      if (std::find(fan, fan + i, fan[i]) != fan + i) return false;
+    return true;
+  }
+
+  std::vector<int> begin_;               // by vertex, and the end
+  std::vector<std::vector<int>> place_;  // by part, then by vertex
+  std::vector<Corner> corners_;
+  std::vector<int> fan_;
+  std::vector<std::uint8_t> closed_;  // by vertex
+};
+
+}  // namespace curvdecim::detail

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "vcg_ext/collapse/collapse_plan.h"
+#include "vcg_ext/passes/pass_collapses.h"
+
+namespace curvdecim::detail {
+
+/// Collapses edges in passes over flat arrays, on all cores:
+///
+///   while the surface has more faces than the goal, and passes are worth while:
+///     fans  <- the neighbours of every vertex, in the order of its faces        (fan_lists.h)
+///     ranks <- every vertex proposes an edge, at about what it costs            (pass_ranks.h)
+///     limit <- a share of the ranks
+///     collapse what costs no more, as the surface is then, and no guard refuses (fan_collapse.h)
+///     close the gaps
+///
+/// Only vertices inside smooth places take part; the others are held. They would have collapsed as
+/// well where they are cheap, so that passes end where too many are among the vertices.
+template <class MetricType>
+class PassSchedule {
+ public:
+  PassSchedule(PassSurface& surface, const MetricType& metric, const CollapsePlan& plan,
+               const Parallel& parallel)
+      : surface_(surface), metric_(metric), plan_(plan), parallel_(parallel) {}
+
+  /// Returns the steps, over the surface or along the edges. Throws CancelRequest.
+  BlendSteps run(bool over_surface) {
+    bool worth_while = true;
+    while (worth_while && faces_to_go() > 0 && is_free_enough()) {
+      const int before = surface_.face_count();
+      const int expected = std::min(faces_to_go(), static_cast<int>(usual_share * before));
+      parallel_.progress().along(plan_.stop.progress(before),
+                                 plan_.stop.progress(before - expected),
+                                 [&] { pass(over_surface); });
+      worth_while = before - surface_.face_count() > least_share * before;
+    }
+    return std::move(steps_);
+  }
+
+ private:
+  static constexpr double share = 0.5;         // of the proposals, to be asked about in a pass
+  static constexpr double usual_share = 0.23;  // of the faces, that go then
+  static constexpr double least_share = 0.02;  // of the faces: fewer are not worth a pass
+  static constexpr double most_held = 0.15;    // of the vertices
+
+  int faces_to_go() const { return surface_.face_count() - plan_.schedule.passes_goal; }
+
+  bool is_free_enough() const {
+    const auto held = std::count(surface_.held.begin(), surface_.held.end(), std::uint8_t{1});
+    return static_cast<double>(held) <= most_held * surface_.vertex_count();
+  }
+
+  void pass(bool over_surface) {
+    ProgressMeter& progress = parallel_.progress();  // parts of the time of a pass
+    progress.along(0.0, 0.25, [&] {
+      const auto is_free = [&](int v) { return surface_.held[v] == 0; };
+      fans_.build(surface_.faces, surface_.vertex_count(), parallel_, is_free);
+    });
+    progress.along(0.25, 0.6, [&] { ranks_.measure(surface_, fans_, parallel_); });
+    progress.along(0.6, 1.0, [&] {
+      const int needed = (faces_to_go() + 1) / 2;  // each takes two faces
+      PassCollapses collapses(surface_, fans_, ranks_, metric_, plan_.limits.faces, over_surface);
+      collapses.run(ranks_.limit(needed, share), parallel_, steps_);
+      surface_.close_gaps(collapses.into(), parallel_);
+    });
+  }
+
+  PassSurface& surface_;
+  const MetricType& metric_;
+  const CollapsePlan& plan_;
+  const Parallel& parallel_;
+  FanLists fans_;
+  PassRanks ranks_;
+  BlendSteps steps_;
+};
+
+}  // namespace curvdecim::detail

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "vcg_ext/clustering/first_seen.h"
+#include "vcg_ext/geometry/quadric.h"
+#include "vcg_ext/mesh/triangle_connectivity.h"
+#include "vcg_ext/parallel/parallel.h"
+
+namespace curvdecim::detail {
+
+/// A quadric about the vertex that carries it, in single precision: there b and c are small, and
+/// their rounding is to their own size.
+struct SmallQuadric {
+  float xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0, bx = 0, by = 0, bz = 0, c = 0;
+
+  SmallQuadric() = default;
+  explicit SmallQuadric(const Quadric& q)
+      : xx(float(q.a.xx)),
+        xy(float(q.a.xy)),
+        xz(float(q.a.xz)),
+        yy(float(q.a.yy)),
+        yz(float(q.a.yz)),
+        zz(float(q.a.zz)),
+        bx(float(q.b.x())),
+        by(float(q.b.y())),
+        bz(float(q.b.z())),
+        c(float(q.c)) {}
+
+  Quadric quadric() const { return {{xx, xy, xz, yy, yz, zz}, {bx, by, bz}, c}; }
+  double trace() const { return double(xx) + yy + zz; }
+};
+
+/// How much a vertex counts, and what that is averaged by where two become one.
+struct PassWeight {
+  float saturation = 1.0f;  ///< CurvatureWeight::saturation
+  float area = 0.0f;        ///< of the input, that has gone into it
+  float factor = 1.0f;      ///< on the planes around
+};
+
+/// What passes work on: flat arrays without adjacency. Elements keep their order.
+struct PassSurface {
+  std::vector<Vector3> position;     // by vertex
+  std::vector<SmallQuadric> memory;  // by vertex: what it remembers of the input's planes
+  std::vector<PassWeight> weight;    // by vertex
+  std::vector<float> importance;     // by vertex: factor on the cost; empty: 1 everywhere
+  std::vector<std::uint8_t> held;    // by vertex: 1 if no pass may touch it
+  std::vector<int> vertex_before;    // by vertex: its number before the passes
+  std::vector<Face> faces;           // none is degenerate
+  std::vector<int> face_before;      // by face: its number before the passes
+
+  int vertex_count() const { return static_cast<int>(position.size()); }
+  int face_count() const { return static_cast<int>(faces.size()); }
+
+  /// On the cost of the edge ab.
+  double weight_of(int a, int b) const {
+    const double factor = 0.5 * (weight[a].factor + weight[b].factor);
+    return importance.empty() ? factor : factor * (importance[a] + importance[b]);
+  }
+
+  /// into: by vertex, the one that it has become, or itself. Faces that have become degenerate go,
+  /// and so do vertices that are others now.
+  void close_gaps(const std::vector<int>& into, const Parallel& parallel) {
+    const std::vector<int> stays =
+        kept(vertex_count(), parallel, [&](int v) { return into[v] == v; });
+    const std::vector<int> left = kept(face_count(), parallel, [&](int f) {
+      const auto [a, b, c] = faces[f];
+      return into[a] != into[b] && into[b] != into[c] && into[c] != into[a];
+    });
+    std::vector<int> number(vertex_count());
+    const int vertices = static_cast<int>(stays.size());
+    parallel.for_each(vertices, [&](int i) { number[stays[i]] = i; });
+    parallel.for_each(face_count(), [&](int f) {
+      for (int& v : faces[f]) v = number[into[v]];
+    });
+    keep(stays, parallel, position), keep(stays, parallel, memory);
+    keep(stays, parallel, weight), keep(stays, parallel, importance);
+    keep(stays, parallel, held), keep(stays, parallel, vertex_before);
+    keep(left, parallel, faces), keep(left, parallel, face_before);
+  }
+
+ private:
+  /// Those below count for which stays(i) holds, ascending.
+  template <class Stays>
+  static std::vector<int> kept(int count, const Parallel& parallel, Stays stays) {
+    const int pieces = pieces_of(count, parallel);
+    std::vector<std::vector<int>> of_piece(pieces);
+    for_pieces(count, pieces, parallel, [&](int piece, int begin, int end) {
+      of_piece[piece].reserve(end - begin);
+      for (int i = begin; i < end; ++i)
+        if (stays(i)) of_piece[piece].push_back(i);
+    });
+    std::vector<int> all = std::move(of_piece[0]);
+    for (int piece = 1; piece < pieces; ++piece)
+      all.insert(all.end(), of_piece[piece].begin(), of_piece[piece].end());
+    return all;
+  }
+
+  /// An empty array stays empty.
+  template <class T>
+  static void keep(const std::vector<int>& left, const Parallel& parallel, std::vector<T>& array) {
+    if (array.empty()) return;
+    std::vector<T> now(left.size());
+    parallel.for_each(static_cast<int>(left.size()), [&](int i) { now[i] = array[left[i]]; });
+    array.swap(now);
+  }
+};
+
+}  // namespace curvdecim::detail
