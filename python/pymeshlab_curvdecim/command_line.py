@@ -6,10 +6,9 @@ import re
 import sys
 from pathlib import Path
 
-import pymeshlab
-
 from .description import read_filters
 from .filter_functions import load
+from .plugin import pymeshlab
 
 FILTER = "meshing_decimation_curvature_edge_collapse"
 

@@ -8,9 +8,7 @@ import re
 from dataclasses import dataclass
 from typing import Any, Literal
 
-import pymeshlab
-
-from .plugin import parameters_file
+from .plugin import parameters_file, pymeshlab
 
 Length = float | pymeshlab.PureValue | pymeshlab.PercentageValue
 DEPENDS_ON_MESH = "dynamic"

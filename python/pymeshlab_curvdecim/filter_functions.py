@@ -9,10 +9,9 @@ import inspect
 import textwrap
 
 import numpy
-import pymeshlab
 
 from .description import read_filters
-from .plugin import load_plugin
+from .plugin import load_plugin, pymeshlab
 from .search import extend_search
 
 

@@ -7,9 +7,8 @@ so scripts are better made than typed.
 
 from xml.etree import ElementTree
 
-import pymeshlab
-
 from .description import read_filters
+from .plugin import pymeshlab
 
 HEADER = "<!DOCTYPE FilterScript>\n"
 TYPES = {

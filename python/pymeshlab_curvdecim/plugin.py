@@ -1,11 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Where the plugin is, and how it gets into the installed PyMeshLab."""
+"""Where the plugin is, and how it gets into the installed PyMeshLab.
 
+The rest of the package takes PyMeshLab from here, so that one that does not fit is one clear error
+before any name in it is looked for.
+"""
+
+import importlib
 import os
 from importlib import metadata
 from pathlib import Path
-
-import pymeshlab
 
 PLUGIN_VARIABLE = "CURVDECIM_PLUGIN"
 PLUGIN_NAME = "libfilter_curvdecim.so"
@@ -15,6 +18,32 @@ PYMESHLAB_VERSION = "2025.7"  # the one that the plugin is for, as in pyproject.
 
 class PluginError(ImportError):
     """The plugin is missing, or the installed PyMeshLab cannot load it."""
+
+
+def import_pymeshlab():
+    """PyMeshLab, if it is the version that the plugin was made for."""
+    check_pymeshlab()
+    return importlib.import_module("pymeshlab")
+
+
+def check_pymeshlab():
+    """An error where the installed PyMeshLab is another one than the plugin was made for."""
+    installed = _installed_version()
+    if installed.split(".")[:2] != PYMESHLAB_VERSION.split("."):
+        raise PluginError(
+            f"CurvDecim needs PyMeshLab {PYMESHLAB_VERSION}, and {installed} is installed: "
+            f"pip install 'pymeshlab=={PYMESHLAB_VERSION}.*'"
+        )
+
+
+def _installed_version():
+    try:
+        return metadata.version("pymeshlab")
+    except metadata.PackageNotFoundError:
+        return "none"
+
+
+pymeshlab = import_pymeshlab()
 
 
 def plugin_file():
@@ -38,19 +67,8 @@ def parameters_file():
     return file
 
 
-def check_pymeshlab():
-    """An error where the installed PyMeshLab is another one than the plugin was made for."""
-    installed = metadata.version("pymeshlab")
-    if installed.split(".")[:2] != PYMESHLAB_VERSION.split("."):
-        raise PluginError(
-            f"CurvDecim needs PyMeshLab {PYMESHLAB_VERSION}, and {installed} is installed: "
-            f"pip install 'pymeshlab=={PYMESHLAB_VERSION}.*'"
-        )
-
-
 def load_plugin():
     """Loads the plugin into PyMeshLab, which refuses one built for another MeshLab."""
-    check_pymeshlab()
     file = plugin_file()
     try:
         pymeshlab.load_plugin(str(file))

@@ -3,9 +3,8 @@
 
 import functools
 
-import pymeshlab
-
 from .description import read_filters
+from .plugin import pymeshlab
 
 
 def extend_search():

@@ -24,12 +24,15 @@ METHOD = getattr(pymeshlab.MeshSet, DECIMATE)
 ALL = (*STEPWISE, CLUSTER, IMPORTANCE)
 
 
-def python(code, **environment):
-    """Runs code in a fresh interpreter that finds the package."""
-    package = Path(pymeshlab_curvdecim.__file__).parents[1]
+PYTHON = Path(pymeshlab_curvdecim.__file__).parents[1]
+
+
+def python(code, *folders, **environment):
+    """Runs code in a fresh interpreter that finds the package, and before it what is in folders."""
+    path = os.pathsep.join(map(str, (*folders, PYTHON)))
     return subprocess.run(
         [sys.executable, "-c", code],
-        env={**os.environ, "PYTHONPATH": str(package), **environment},
+        env={**os.environ, "PYTHONPATH": path, **environment},
         capture_output=True,
         text=True,
         timeout=120,
@@ -192,6 +195,47 @@ def test_script_for_newer_versions_has_every_parameter():
     name, parameters = menu_name_and_parameters(script)
     assert "Paper" not in name
     assert {"Lambda", "PreserveTopology"} <= parameters
+
+
+@pytest.fixture
+def stand_in(tmp_path):
+    """Makes a folder with another pymeshlab, which is no more than its version and this code."""
+
+    def make(version, code=""):
+        for folder, file, text in (
+            ("pymeshlab", "__init__.py", code),
+            (
+                f"pymeshlab-{version}.dist-info",
+                "METADATA",
+                f"Name: pymeshlab\nVersion: {version}\n",
+            ),
+        ):
+            (tmp_path / folder).mkdir()
+            (tmp_path / folder / file).write_text(text)
+        return tmp_path
+
+    return make
+
+
+def last_error_line(answer):
+    assert answer.returncode == 1
+    return answer.stderr.splitlines()[-1]
+
+
+@pytest.mark.parametrize("version", ["2022.2.post4", "2023.12.post3"])
+def test_another_pymeshlab_is_named_before_it_lacks_a_name(stand_in, version):
+    last = last_error_line(python("import pymeshlab_curvdecim", stand_in(version)))
+    assert f"CurvDecim needs PyMeshLab 2025.7, and {version} is installed: pip install" in last
+
+
+def test_no_pymeshlab_is_named():
+    code = (
+        "from importlib import metadata\n"
+        "def version(name): raise metadata.PackageNotFoundError(name)\n"
+        "metadata.version = version\n"
+        "import pymeshlab_curvdecim"
+    )
+    assert "2025.7, and none is installed: pip install" in last_error_line(python(code))
 
 
 def test_missing_plugin_says_what_to_do():
