@@ -5,7 +5,10 @@ The rest of the package takes PyMeshLab from here, so that one that does not fit
 before any name in it is looked for.
 """
 
+import contextlib
+import ctypes
 import importlib
+import io
 import os
 from importlib import metadata
 from pathlib import Path
@@ -14,6 +17,9 @@ PLUGIN_VARIABLE = "CURVDECIM_PLUGIN"
 PLUGIN_NAME = "libfilter_curvdecim.so"
 PARAMETERS_NAME = "parameters.json"
 PYMESHLAB_VERSION = "2025.7"  # the one that the plugin is for, as in pyproject.toml
+GRAPHICS_LIBRARIES = ("libGL.", "libOpenGL.")  # PyMeshLab has all the others it needs with it
+GRAPHICS_REMEDY = "sudo apt install libgl1 libopengl0"
+NEEDS_OPENGL = "meshing_decimation_quadric_edge_collapse"  # a filter in such a plugin of PyMeshLab
 
 
 class PluginError(ImportError):
@@ -21,9 +27,30 @@ class PluginError(ImportError):
 
 
 def import_pymeshlab():
-    """PyMeshLab, if it is the version that the plugin was made for."""
+    """PyMeshLab, if it is the version that the plugin was made for and has what it needs."""
     check_pymeshlab()
-    return importlib.import_module("pymeshlab")
+    said = io.StringIO()
+    try:
+        with contextlib.redirect_stdout(said):
+            module = importlib.import_module("pymeshlab")
+            _check_own_plugins(module)
+    except (ImportError, OSError) as error:
+        if any(library in str(error) for library in GRAPHICS_LIBRARIES):
+            raise PluginError(
+                f"PyMeshLab lacks a library of the system ({error}): {GRAPHICS_REMEDY}"
+            ) from error
+        raise
+    print(said.getvalue(), end="")
+    return module
+
+
+def _check_own_plugins(module):
+    """An OSError where OpenGL is missing.
+
+    PyMeshLab then goes on without those of its own plugins that need it, one of which reads PLY.
+    """
+    if not hasattr(module.MeshSet, NEEDS_OPENGL):
+        ctypes.CDLL("libOpenGL.so.0")
 
 
 def check_pymeshlab():

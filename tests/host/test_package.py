@@ -238,6 +238,42 @@ def test_no_pymeshlab_is_named():
     assert "2025.7, and none is installed: pip install" in last_error_line(python(code))
 
 
+NOT_THERE = "cannot open shared object file: No such file or directory"
+WITHOUT_GL = f'raise ImportError("libGL.so.1: {NOT_THERE}")'
+WITHOUT_OPENGL = f"""
+import ctypes
+class MeshSet: pass
+def missing(name): raise OSError(f"{{name}}: {NOT_THERE}")
+ctypes.CDLL = missing
+print("Warning: Unable to load the following plugins")
+"""
+
+
+@pytest.mark.parametrize(
+    ("code", "library"), [(WITHOUT_GL, "libGL.so.1"), (WITHOUT_OPENGL, "libOpenGL.so.0")]
+)
+def test_missing_graphics_library_is_named_with_the_remedy(stand_in, code, library):
+    answer = python("import pymeshlab_curvdecim", stand_in("2025.7.post1", code))
+    last = last_error_line(answer)
+    assert f"{library}: {NOT_THERE}" in last
+    assert last.endswith("sudo apt install libgl1 libopengl0")
+    assert not answer.stdout
+
+
+def test_another_error_of_pymeshlab_stays_as_it_is(stand_in):
+    code = "raise ImportError('libother.so.1')"
+    last = last_error_line(python("import pymeshlab_curvdecim", stand_in("2025.7.post1", code)))
+    assert last == "ImportError: libother.so.1"
+
+
+def test_what_pymeshlab_says_when_it_is_imported_is_passed_on(stand_in):
+    code = "print('Warning: said'); MeshSet = type('MeshSet', (), {'NAME': 0})".replace(
+        "NAME", "meshing_decimation_quadric_edge_collapse"
+    )
+    answer = python("import pymeshlab_curvdecim.plugin", stand_in("2025.7.post1", code))
+    assert answer.stdout == "Warning: said\n"
+
+
 def test_missing_plugin_says_what_to_do():
     answer = python("import pymeshlab_curvdecim", CURVDECIM_PLUGIN="/nowhere/plugin.so")
     assert answer.returncode == 1
