@@ -18,7 +18,7 @@ def main(arguments=None):
     try:
         options = vars(_parser().parse_args(arguments))
         report = simplify(options.pop("input"), options.pop("output"), **options)
-    except (ImportError, OSError, pymeshlab.PyMeshLabException, TypeError, ValueError) as error:
+    except (OSError, pymeshlab.PyMeshLabException, TypeError, ValueError) as error:
         sys.exit(f"curvdecim: {str(error).strip()}")
     for name, value in report.items():
         print(f"{name}: {value}")

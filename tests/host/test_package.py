@@ -292,8 +292,8 @@ def test_plugin_for_another_host_says_what_to_do(tmp_path):
     assert "A plugin fits one version of PyMeshLab" in answer.stderr
 
 
-def curvdecim(*arguments):
-    return python(f"import pymeshlab_curvdecim.command_line as c; c.main({arguments!r})")
+def curvdecim(*arguments, folders=()):
+    return python(f"import curvdecim.__main__ as c; c.main({arguments!r})", *folders)
 
 
 def test_command_simplifies_a_file(tmp_path):
@@ -312,6 +312,18 @@ def test_quiet_command_prints_the_report_only(tmp_path):
     lines = run.stdout.splitlines()
     assert {"faces: 500", "stopped_by: target"} <= set(lines)
     assert all(re.fullmatch(r"\w+: [\w. -]+", line) for line in lines)
+
+
+@pytest.mark.parametrize(
+    ("version", "code", "words"),
+    [("2022.2.post4", "", "2022.2.post4 is installed"), ("2025.7.post1", WITHOUT_GL, "libGL.so.1")],
+)
+def test_command_names_a_pymeshlab_that_does_not_fit_in_one_line(stand_in, version, code, words):
+    run = curvdecim(COW, "out.ply", folders=[stand_in(version, code)])
+    assert run.returncode == 1
+    assert run.stderr.startswith("curvdecim: ")
+    assert words in run.stderr
+    assert run.stderr.count("\n") == 1
 
 
 @pytest.mark.parametrize(
