@@ -17,18 +17,19 @@ def main(arguments=None):
     """Ends the program with a message on any error, before the output is written."""
     try:
         options = vars(_parser().parse_args(arguments))
+        quiet = options.pop("quiet")
         report = simplify(options.pop("input"), options.pop("output"), **options)
     except (OSError, pymeshlab.PyMeshLabException, TypeError, ValueError) as error:
         sys.exit(f"curvdecim: {str(error).strip()}")
-    for name, value in report.items():
-        print(f"{name}: {value}")
+    if not quiet:
+        print(*(f"{name}: {value}" for name, value in report.items()), sep="\n")
 
 
-def simplify(source, target, quiet=False, **options):
+def simplify(source, target, verbose=False, **options):
     """Reads, simplifies and writes a mesh; returns the filter's report."""
     if not Path(source).is_file():
         raise FileNotFoundError(f"there is no file {source}")
-    meshes = pymeshlab.MeshSet(verbose=not quiet)
+    meshes = pymeshlab.MeshSet(verbose=verbose)
     meshes.load_new_mesh(source)
     report = load()[FILTER](meshes, **options)
     meshes.save_current_mesh(target)
@@ -43,7 +44,13 @@ def _parser():
     )
     parser.add_argument("input", help="mesh file in a format that MeshLab reads")
     parser.add_argument("output", help="mesh file to write; its ending chooses the format")
-    parser.add_argument("--quiet", action="store_true", help="no progress and no log of MeshLab")
+    amount = parser.add_mutually_exclusive_group()
+    amount.add_argument(
+        "--quiet", action="store_true", default=False, help="print nothing but errors"
+    )
+    amount.add_argument(
+        "--verbose", action="store_true", help="print what PyMeshLab says, too: progress and log"
+    )
     for parameter in read_filters()[FILTER].parameters:
         parser.add_argument(_flag(parameter.name), **_argument(parameter))
     return parser

@@ -303,15 +303,29 @@ def test_command_simplifies_a_file(tmp_path):
     meshes.load_new_mesh(output)
     assert meshes.current_mesh().face_number() == 1160
     assert "\nfaces: 1160\n" in run.stdout
-    assert "'preserveboundary': False" in run.stdout
-    assert "[ 100% ]" in run.stdout + run.stderr
 
 
-def test_quiet_command_prints_the_report_only(tmp_path):
-    run = curvdecim(COW, str(tmp_path / "cow.ply"), "--quiet", "--target-face-num", "500")
+def test_command_prints_the_report_only(tmp_path):
+    run = curvdecim(COW, str(tmp_path / "cow.ply"), "--target-face-num", "500")
     lines = run.stdout.splitlines()
     assert {"faces: 500", "stopped_by: target"} <= set(lines)
     assert all(re.fullmatch(r"\w+: [\w. -]+", line) for line in lines)
+    assert len(lines) == len(set(lines))
+    assert not run.stderr
+
+
+def test_verbose_command_prints_what_pymeshlab_says_and_then_the_report(tmp_path):
+    output = str(tmp_path / "cow.ply")
+    run = curvdecim(COW, output, "--verbose", "--target-perc", "0.2", "--no-preserve-boundary")
+    assert "'preserveboundary': False" in run.stdout
+    assert "[ 100% ]" in run.stdout + run.stderr
+    assert run.stdout.index("Saving file") < run.stdout.index("\nfaces: 1160\n")
+
+
+def test_quiet_command_prints_nothing(tmp_path):
+    run = curvdecim(COW, str(tmp_path / "cow.ply"), "--quiet", "--target-face-num", "500")
+    assert (run.returncode, run.stdout, run.stderr) == (0, "", "")
+    assert (tmp_path / "cow.ply").is_file()
 
 
 @pytest.mark.parametrize(
