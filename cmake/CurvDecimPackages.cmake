@@ -7,6 +7,13 @@
 set(files ${PROJECT_BINARY_DIR}/packaging)
 set(sources ${PROJECT_SOURCE_DIR}/packaging)
 
+# What scripts/package has had written for meshlabserver, which only hosts of this plugin interface have.
+function(_curvdecim_examples host folder component)
+  if(CURVDECIM_API_${host} STREQUAL "2020")
+    install(DIRECTORY ${files}/examples DESTINATION ${folder} COMPONENT ${component} EXCLUDE_FROM_ALL OPTIONAL)
+  endif()
+endfunction()
+
 # The folders in the zip are those of build/, for install-plugin.
 function(_curvdecim_zip host version)
   configure_file(${sources}/INSTALL-${CURVDECIM_API_${host}}.txt.in ${files}/${host}/INSTALL.txt @ONLY)
@@ -14,6 +21,7 @@ function(_curvdecim_zip host version)
   install(FILES ${files}/${host}/INSTALL.txt ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION . COMPONENT ${host}
           EXCLUDE_FROM_ALL)
   install(PROGRAMS ${PROJECT_SOURCE_DIR}/scripts/install-plugin DESTINATION . COMPONENT ${host} EXCLUDE_FROM_ALL)
+  _curvdecim_examples(${host} . ${host})
 endfunction()
 
 # What Debian wants beside the plugin: its changelog and its copyright.
@@ -49,6 +57,7 @@ beforehand what a setting protects. For MeshLab and meshlabserver.")
   set(CPACK_DEBIAN_PACKAGE_DEPENDS "meshlab (>= ${version}), meshlab (<< ${version}.~)")
 
   _curvdecim_debian_documents()
+  _curvdecim_examples(${host} share/doc/${CPACK_DEBIAN_DEBIAN_PACKAGE_NAME} debian)
   cmake_path(RELATIVE_PATH folder BASE_DIRECTORY /usr)
   install(TARGETS plugin-${host} LIBRARY DESTINATION ${folder}/plugins COMPONENT debian EXCLUDE_FROM_ALL)
   include(CPack)

@@ -11,15 +11,27 @@ import sys
 import tomllib
 import zipfile
 from pathlib import Path
+from xml.etree import ElementTree
 
 import pymeshlab
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
 BUILD = ROOT / "build"
-HOSTS = ("meshlab-2020.09", "meshlab-2022.02", "meshlab-2025.07")
+HOST_WITH_SERVER = "meshlab-2020.09"
+HOSTS = (HOST_WITH_SERVER, "meshlab-2022.02", "meshlab-2025.07")
 PLUGIN = "libfilter_curvdecim.so"
 SAMPLE = ROOT / "sample_meshes" / "bumpy_sphere.ply"
+EXAMPLES = [  # in the order of their names
+    f"examples/{name}.mlx"
+    for name in (
+        "algebraic_sphere",
+        "curvature_importance",
+        "edge_collapse",
+        "vertex_clustering",
+        "vertex_removal",
+    )
+]
 MINUTES = 600  # seconds; nothing is compiled
 
 
@@ -80,12 +92,29 @@ def test_same_bits_twice(release, tmp_path):
 def test_zip_is_complete(desktop_zip):
     archive, folder, host = desktop_zip
     files = {name for name in archive.namelist() if not name.endswith("/")}
-    wanted = ("INSTALL.txt", "LICENSE", "install-plugin", f"plugins/{host}/{PLUGIN}")
+    wanted = ["INSTALL.txt", "LICENSE", "install-plugin", f"plugins/{host}/{PLUGIN}"]
+    wanted += EXAMPLES if host == HOST_WITH_SERVER else []
     assert files == {f"{folder}/{name}" for name in wanted}
     text = archive.read(f"{folder}/INSTALL.txt").decode()
     assert f"MeshLab {host.partition('-')[2]}" in text
     assert f"plugins/{host}/{PLUGIN}" in text
     assert "@" not in text
+
+
+def test_examples_run_each_filter_by_all_its_numbers(release):
+    (file,) = release.glob(f"*-{HOST_WITH_SERVER}-*.zip")
+    archive = zipfile.ZipFile(file)
+    names = set()
+    for example in EXAMPLES:
+        (action,) = ElementTree.fromstring(archive.read(f"{file.stem}/{example}"))
+        names.add(action.get("name"))
+        values = {each.get("name"): each.get("value") for each in action}
+        assert values.get("TargetPerc", "0.5") == "0.5"
+        assert len(values) > 5
+        assert None not in values.values()
+    assert len(names) == len(EXAMPLES)
+    instructions = archive.read(f"{file.stem}/INSTALL.txt").decode()
+    assert re.search(r"-s (examples/\S+)", instructions)[1] in EXAMPLES
 
 
 def test_plugin_does_not_name_where_it_was_built(desktop_zip):
@@ -130,10 +159,12 @@ def test_debian_package_has_the_plugin_and_its_documents(debian_package):
     files = [line.split()[-1] for line in listed.splitlines() if line.startswith("-")]
     documents = "./usr/share/doc/meshlab-plugin-curvdecim"
     machine = f"{platform.machine()}-linux-gnu"
+    has_server = "meshlab (>= 2020.09)" in said_by("dpkg-deb", "--field", debian_package, "Depends")
     assert files == [
         f"./usr/lib/{machine}/meshlab/plugins/{PLUGIN}",
         f"{documents}/changelog.Debian.gz",
         f"{documents}/copyright",
+        *(f"{documents}/{name}" for name in EXAMPLES if has_server),
     ]
     assert all(line.split()[1] == "root/root" for line in listed.splitlines())
 
