@@ -5,12 +5,14 @@ a root tree of another Debian suite (scripts/fetch-meshlab-program).
 
 import os
 import shutil
+import subprocess
 from pathlib import Path
 
 import meshlab_2020
 
 # The mounts are those of the process alone, and go with it.
 ENTER = 'mount --rbind /proc "$0/proc" && mount --rbind /dev "$0/dev" && exec chroot "$0" "$@"'
+OWN_MOUNTS = ("unshare", "--mount")
 PLUGINS = "usr/lib/x86_64-linux-gnu/meshlab/plugins"
 
 
@@ -28,7 +30,7 @@ class InRootTree:
         """Opens a mesh file of the machine."""
         shutil.copy(mesh, self.root / "tmp")
         inside = ["meshlab", f"/tmp/{mesh.name}"]
-        return ["unshare", "--mount", "sh", "-c", ENTER, str(self.root), *inside]
+        return [*OWN_MOUNTS, "sh", "-c", ENTER, str(self.root), *inside]
 
     def environment(self, **more):
         return {
@@ -54,7 +56,17 @@ def why_absent(version, trees):
         return meshlab_2020.why_absent()
     if not (trees / version).is_dir():
         return f"MeshLab {version} is not in {trees} (scripts/fetch-meshlab-program)"
-    return None if os.geteuid() == 0 else "entering the root tree of MeshLab needs root"
+    return why_not_entered()
+
+
+def why_not_entered():
+    """None when a root tree can be entered; root of a container may be kept from it."""
+    if os.geteuid() != 0:
+        return "entering the root tree of MeshLab needs root"
+    attempt = subprocess.run([*OWN_MOUNTS, "true"], capture_output=True, text=True, timeout=60)
+    if attempt.returncode == 0:
+        return None
+    return f"entering the root tree of MeshLab is not allowed here: {attempt.stderr.strip()}"
 
 
 def program(version, trees, plugin, directory):
