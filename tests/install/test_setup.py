@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""scripts/setup looks at what it is given before it installs anything."""
+"""The scripts look at what they are given before they install anything."""
 
 import os
 import subprocess
@@ -12,16 +12,16 @@ ROOT = Path(__file__).resolve().parents[2]
 
 @pytest.fixture
 def setup(tmp_path):
-    """Runs scripts/setup where apt-get and python3 are other programs, which note their calls."""
+    """Runs a script where apt-get and python3 are other programs, which note their calls."""
     calls = tmp_path / "calls"
 
-    def run(purpose, python="exit 0", **environment):
+    def run(purpose, python="exit 0", script="setup", **environment):
         for name, commands in (("apt-get", "exit 1"), ("python3", python)):
             program = tmp_path / name
             program.write_text(f'#!/bin/sh\necho "{name} $@" >>"{calls}"\n{commands}\n')
             program.chmod(0o755)
         return subprocess.run(
-            [ROOT / "scripts" / "setup", purpose],
+            [ROOT / "scripts" / script, purpose],
             env={**os.environ, "PATH": f"{tmp_path}:{os.environ['PATH']}", **environment},
             capture_output=True,
             text=True,
@@ -62,3 +62,16 @@ def test_unknown_purpose_is_answered_with_help(setup):
     answer = setup("everything")
     assert answer.returncode == 2
     assert "scripts/setup demo | bench | package | test" in answer.stdout
+
+
+@pytest.mark.parametrize("option", ["-h", "--help"])
+@pytest.mark.parametrize(
+    "script", ["setup", "package", "test", "demo", "bench", "check", "sanitize"]
+)
+def test_help_is_the_head_of_the_script_and_sets_nothing_up(setup, script, option):
+    answer = setup(option, script=script)
+    assert (answer.returncode, answer.stderr) == (0, "")
+    source = (ROOT / "scripts" / script).read_text()
+    head = source[: source.index("\nset -euo")].splitlines()[2:]
+    assert answer.stdout.splitlines() == [line.removeprefix("# ") for line in head]
+    assert not setup.calls.exists()
