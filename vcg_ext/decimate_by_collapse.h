@@ -29,6 +29,7 @@ DecimationReport decimate_by_collapse(MeshType& mesh, const Params& params,
     const InputFacts facts = facts_of(mesh, copy, params.selected_only);
     const auto plan = plan_collapse(params, facts);
     if (!plan) return note_nothing_to_do(reached_target(params, facts), run.report);
+    run.parallel.progress().ask();
     Carried carried = read_carried(mesh, copy, params.quality_weight, *plan, run.report);
     std::optional<InputCopy> input = keep_input(copy.mesh, *plan, run.parallel);
     run.parallel.progress().ask();

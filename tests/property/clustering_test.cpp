@@ -270,5 +270,17 @@ TEST(MedianRepresentative, IsAnOriginalVertex) {
     ASSERT_EQ(std::count(shape.vertices.begin(), shape.vertices.end(), p), 1);
 }
 
+TEST(Clustering, SaysSoWhereTheCellsAreTooSmallToJoinAnything) {
+  ClusteringParams params;
+  params.cell_size = 1e-3;
+  const auto [after, report] = clustered(icosphere(2), params);
+  EXPECT_EQ(report.faces, report.faces_before);
+  EXPECT_EQ(report.stopped_by, StopReason::NothingLeft);
+  ASSERT_FALSE(report.notes.empty());
+  EXPECT_NE(report.notes.back().find("larger cells"), std::string::npos);
+  params.cell_size = 0.5;
+  EXPECT_EQ(clustered(icosphere(2), params).report.stopped_by, StopReason::Target);
+}
+
 }  // namespace
 }  // namespace curvdecim::test

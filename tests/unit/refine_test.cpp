@@ -61,7 +61,7 @@ TEST(InputSamples, WeighAsMuchAsTheSurfaceAndLieOnTheFaceThatTheyMatch) {
   const int faces = mesh.connectivity.face_slots();
   const double area = total_area(input);
   double weight = 0.0;
-  InputSamples samples(input, area, faces);
+  InputSamples samples(input, area, faces, one_thread);
   samples.match(TriangleTree(mesh, faces, one_thread), faces, MatchLimits(area, faces), one_thread);
   for (int f = 0; f < faces; ++f)
     for (int i : samples.of_face(f)) {
@@ -134,7 +134,7 @@ TEST(EdgeFlips, LowerTheErrorOfAMeshWithWrongDiagonals) {
   const double area = total_area(surface);
   const TriangleTree input_tree(surface, surface.face_count(), one_thread);
   const TriangleTree mesh_tree(mesh, faces, one_thread);
-  InputSamples of_input(surface, area, faces);
+  InputSamples of_input(surface, area, faces, one_thread);
   const MatchLimits limits(area, faces);
   of_input.match(mesh_tree, faces, limits, one_thread);
   MeshSamples of_mesh(surface, input_tree, area, faces);

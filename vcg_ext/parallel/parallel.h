@@ -61,9 +61,10 @@ class Parallel {
   /// work(i) for every i below count, in this order, on the calling thread.
   template <class Work>
   void in_order(int count, Work work, Grain grain = light) const {
-    for (int i = 0; i < count; ++i) {
-      if (i % grain.block == 0) progress_->in_loop(static_cast<double>(i) / count);
-      work(i);
+    for (int begin = 0; begin < count; begin += std::min(grain.block, count - begin)) {
+      progress_->in_loop(static_cast<double>(begin) / count);
+      const int end = begin + std::min(grain.block, count - begin);
+      for (int i = begin; i < end; ++i) work(i);
     }
   }
 

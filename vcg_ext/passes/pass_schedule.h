@@ -44,8 +44,8 @@ class PassSchedule {
   }
 
  private:
-  static constexpr double share = 0.5;         // of the proposals, to be asked about in a pass
-  static constexpr double usual_share = 0.23;  // of the faces, that go then
+  static constexpr double share = 0.7;         // of the proposals, to be asked about in a pass
+  static constexpr double usual_share = 0.32;  // of the faces, that go then
   static constexpr double least_share = 0.02;  // of the faces: fewer are not worth a pass
   static constexpr double most_held = 0.15;    // of the vertices
 

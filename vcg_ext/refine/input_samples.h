@@ -17,14 +17,14 @@ namespace curvdecim::detail {
 class InputSamples {
  public:
   /// mesh_faces: of the mesh that they will be matched with.
-  InputSamples(const InputSurface& input, double area, int mesh_faces)
+  InputSamples(const InputSurface& input, double area, int mesh_faces, const Parallel& parallel)
       : input_(input),
         limits_(area, mesh_faces),
         places_(most_cuts),
         part_(area / (per_mesh_face * mesh_faces)) {
-    make_room();
-    spread_over_faces();
-    add_vertices();
+    make_room(parallel);
+    spread_over_faces(parallel);
+    add_vertices(parallel);
     found_.resize(face_.size());
   }
 
@@ -44,7 +44,9 @@ class InputSamples {
     };
     parallel.for_each((count + run_length - 1) / run_length, match_run, Parallel::heavy);
     is_matched_ = true;
+    parallel.progress().ask();
     sort_by_face(mesh_faces);
+    parallel.progress().ask();
   }
 
   /// After flips: the samples of two faces that have taken each other's place, among the two.
@@ -87,35 +89,35 @@ class InputSamples {
   }
 
   /// For exactly those that there will be.
-  void make_room() {
+  void make_room(const Parallel& parallel) {
     std::size_t count = input_.connectivity.vertex_slots();
-    for (int f = 0; f < input_.face_count(); ++f)
-      if (const double area = input_.area(f); area > 0.0) {
-        const int cuts = cuts_for(area, part_, most_cuts);
-        count += cuts * cuts;
-      }
+    parallel.in_order(input_.face_count(), [&](int f) {
+      const double area = input_.area(f);
+      const int cuts = area > 0.0 ? cuts_for(area, part_, most_cuts) : 0;
+      count += cuts * cuts;
+    });
     face_.reserve(count), place_.reserve(count), weight_.reserve(count);
   }
 
-  void spread_over_faces() {
-    for (int f = 0; f < input_.face_count(); ++f) {
+  void spread_over_faces(const Parallel& parallel) {
+    parallel.in_order(input_.face_count(), [&](int f) {
       const double area = input_.area(f);
-      if (!(area > 0.0)) continue;
+      if (!(area > 0.0)) return;
       const int cuts = cuts_for(area, part_, most_cuts), count = cuts * cuts;
       const double weight = (1.0 - vertex_share) * input_.weight[f] * area / count;
       for (int i = 0; i < count; ++i) add(f, places_.first_of_parts(cuts) + i, weight);
-    }
+    });
   }
 
   /// Each as a corner of its first face.
-  void add_vertices() {
-    for (int v = 0; v < input_.connectivity.vertex_slots(); ++v) {
+  void add_vertices(const Parallel& parallel) {
+    parallel.in_order(input_.connectivity.vertex_slots(), [&](int v) {
       const IndexRange faces = input_.connectivity.faces_of(v);
       double weight = 0.0;
       for (int f : faces) weight += vertex_share * input_.weight[f] * input_.area(f) / 3.0;
       const int f = *faces.begin();
       add(f, FacePlaces::of_corner(input_.connectivity.corner(f, v)), weight);
-    }
+    });
   }
 
   void sort_by_face(int mesh_faces) {

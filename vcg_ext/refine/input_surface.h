@@ -47,16 +47,17 @@ inline double total_area(const InputSurface& surface) {
 }
 
 /// A face has the mean of its corners' weights, over the mean of the surface.
-inline void set_face_weights(const std::vector<double>& of_vertex, InputCopy& input) {
+inline void set_face_weights(const std::vector<double>& of_vertex, const Parallel& parallel,
+                             InputCopy& input) {
   double sum = 0.0, area = 0.0;
   input.weight.reserve(input.faces.size());
-  for (std::size_t f = 0; f < input.faces.size(); ++f) {
+  parallel.in_order(static_cast<int>(input.faces.size()), [&](int f) {
     const auto [a, b, c] = input.faces[f];
     const double weight = (of_vertex[a] + of_vertex[b] + of_vertex[c]) / 3.0;
     input.weight.push_back(static_cast<float>(weight));
-    const double face_area = area_vector(input.triangle(static_cast<int>(f))).norm();
+    const double face_area = area_vector(input.triangle(f)).norm();
     sum += weight * face_area, area += face_area;
-  }
+  });
   for (float& weight : input.weight)
     weight = sum > 0.0 ? static_cast<float>(weight * (area / sum)) : 1.0f;
 }
@@ -68,11 +69,11 @@ inline InputCopy copy_input(const WorkingMesh& mesh, const MetricPlan& metric,
   for (std::size_t v = 0; v < mesh.importance.size(); ++v) weights[v] *= mesh.importance[v];
   InputCopy input;
   input.position = mesh.position;
-  input.faces.reserve(mesh.connectivity.face_slots());
-  for (int f = 0; f < mesh.connectivity.face_slots(); ++f)
-    input.faces.push_back(mesh.connectivity.face(f));
+  input.faces.resize(mesh.connectivity.face_slots());
+  parallel.for_each(mesh.connectivity.face_slots(),
+                    [&](int f) { input.faces[f] = mesh.connectivity.face(f); });
   input.border = border_edges(mesh);
-  set_face_weights(weights, input);
+  set_face_weights(weights, parallel, input);
   return input;
 }
 

@@ -47,7 +47,7 @@ class Refinement {
         before_(mesh.position),
         input_tree_(input, input.face_count(), parallel),
         mesh_tree_(mesh, face_count(), parallel),
-        of_input_(input, area_, face_count()),
+        of_input_(input, area_, face_count(), parallel),
         of_mesh_(input, input_tree_, area_, face_count()),
         of_border_(input, mesh, border_share * plan.boundary_weight, limits_, parallel),
         guard_(mesh, input, input_tree_, plan.limits.faces),

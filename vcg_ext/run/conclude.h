@@ -55,6 +55,14 @@ inline void judge_target(int target, int left, ClusteringReport& report) {
                          ": many come and go together.");
 }
 
+/// Says so where a size of the cells was given that joins nothing.
+inline void judge_size(const ClusteringPlan& plan, const FlatMesh& mesh, const Clusters& clusters,
+                       ClusteringReport& report) {
+  if (plan.target > 0 || static_cast<int>(clusters.faces.size()) < mesh.face_count) return;
+  report.stopped_by = StopReason::NothingLeft;
+  report.notes.push_back("No edge has both ends in one cell: take larger cells, or a target.");
+}
+
 inline void conclude(const Clustering& clustering, const ClusteringPlan& plan, const FlatMesh& mesh,
                      ClusteringReport& report) {
   const Clusters& clusters = clustering.clusters;
@@ -65,6 +73,7 @@ inline void conclude(const Clustering& clustering, const ClusteringPlan& plan, c
   report.duplicate =
       clusters.crossing - clusters.crowded - static_cast<std::int64_t>(clusters.faces.size());
   judge_target(plan.target, static_cast<int>(clusters.faces.size()), report);
+  judge_size(plan, mesh, clusters, report);
 }
 
 }  // namespace curvdecim::detail
