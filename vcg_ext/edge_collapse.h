@@ -15,7 +15,7 @@ namespace curvdecim {
 /// cannot be used (throws InputError), when it is already small enough, and when `progress` asks to
 /// stop (the report says Cancelled). It may stop short of the target; the report says why.
 ///
-/// Worst case: time O(n log n) for bounded valence, 430 bytes of memory a vertex.
+/// Worst case: time O(n log n) for bounded valence, 310 bytes of memory a vertex.
 template <class MeshType>
 DecimationReport decimate_edge_collapse(MeshType& mesh, const EdgeCollapseParams& params,
                                         const Progress& progress = {}) {

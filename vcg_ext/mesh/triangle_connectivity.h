@@ -65,6 +65,13 @@ class TriangleConnectivity {
     require(vertices == vertex_count_, "the vertices are miscounted");
   }
 
+  /// The faces by slot. Nothing is left.
+  std::vector<Face> release_faces() {
+    std::vector<Face> faces = std::move(faces_);
+    *this = {};
+    return faces;
+  }
+
   /// Slots, dead ones included.
   int face_slots() const { return static_cast<int>(faces_.size()); }
   int vertex_slots() const { return static_cast<int>(lists_.size()); }

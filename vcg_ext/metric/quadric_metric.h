@@ -63,7 +63,7 @@ class QuadricMetric {
       quadric.a -= matrix_around(v) + boundary(v);
       remembered[v] = SmallQuadric(quadric);
     });
-    sum_ = {};
+    std::vector<Carried>().swap(sum_);  // to assign nothing would keep the memory
     return remembered;
   }
 

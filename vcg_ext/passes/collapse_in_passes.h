@@ -25,18 +25,17 @@ template <class MetricType>
 PassSurface split(WorkingMesh& mesh, MetricType& metric, const Parallel& parallel) {
   const int vertices = mesh.connectivity.vertex_slots(), faces = mesh.connectivity.face_slots();
   PassSurface surface;
+  surface.memory = metric.take_memory(parallel);  // with planes and lists, which can go then
+  std::vector<FacePlane>().swap(mesh.plane);
+  surface.faces = mesh.connectivity.release_faces();
   surface.held.resize(vertices), surface.weight.resize(vertices);
   parallel.for_each(vertices, [&](int v) {
     surface.held[v] =
         mesh.kind[v] != VertexKind::Interior || mesh.locked[v] || !metric.is_smooth(v);
     surface.weight[v] = metric.pass_weight(v);
   });
-  surface.memory = metric.take_memory(parallel);
   surface.position = std::exchange(mesh.position, {});
   surface.importance.assign(mesh.importance.begin(), mesh.importance.end());
-  surface.faces.resize(faces);
-  parallel.for_each(faces, [&](int f) { surface.faces[f] = mesh.connectivity.face(f); });
-  mesh.connectivity = {}, mesh.plane = {};
   surface.vertex_before.resize(vertices), surface.face_before.resize(faces);
   std::iota(surface.vertex_before.begin(), surface.vertex_before.end(), 0);
   std::iota(surface.face_before.begin(), surface.face_before.end(), 0);

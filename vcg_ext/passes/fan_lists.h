@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <numeric>
 #include <utility>
@@ -23,8 +24,7 @@ class FanLists {
   void build(const std::vector<Face>& faces, int vertices, const Parallel& parallel,
              Wanted wanted) {
     count(faces, vertices, parallel, wanted);
-    corners_.resize(begin_.back());
-    fan_.resize(begin_.back());
+    corners_.resize(begin_.back() + 1);  // the last vertex may have none
     closed_.resize(vertices);
     fill(faces, parallel, wanted);
     parallel.for_each(vertices, [&](int v) { closed_[v] = put_in_order(v); });
@@ -32,14 +32,13 @@ class FanLists {
 
   /// Empty where there is none.
   IndexRange of(int v) const {
-    const int* first = fan_.data() + begin_[v];
-    return {first, closed_[v] != 0 ? fan_.data() + begin_[v + 1] : first};
+    const int* const first = corners_[begin_[v]].data();
+    return {first, first + (closed_[v] != 0 ? begin_[v + 1] - begin_[v] : 0)};
   }
 
  private:
-  struct Corner {
-    int next, last;  // the face's other corners, in its order
-  };
+  /// The face's other corners, in its order: the next and the last.
+  using Corner = std::array<int, 2>;
 
   static constexpr int most_pieces = 8;  // each has a counter a vertex
 
@@ -94,21 +93,22 @@ class FanLists {
         Grain{1, parts});
   }
 
-  /// False where the corners are no closed fan.
+  /// Writes the list where the corners were. False where they are no closed fan.
   bool put_in_order(int v) {
-    Corner* const corners = corners_.data() + begin_[v];
-    int* const fan = fan_.data() + begin_[v];
     const int size = begin_[v + 1] - begin_[v];
     if (size < 3 || size > longest) return false;
+    std::array<Corner, longest> corners;
+    std::copy_n(corners_.begin() + begin_[v], size, corners.begin());
     int at = 0;
     for (int i = 1; i < size; ++i)
-      if (corners[i].next < corners[at].next) at = i;
+      if (corners[i][0] < corners[at][0]) at = i;
+    int* const fan = corners_[begin_[v]].data();
     for (int i = 0; i < size; ++i) {
-      const Corner corner = corners[at];
-      fan[i] = corner.next;
+      const auto [next, last] = corners[at];
+      fan[i] = next;
       std::swap(corners[at], corners[i]);  // it is used up
-      if (i + 1 == size) return corner.last == fan[0] && are_different(fan, size);
-      for (at = i + 1; at < size && corners[at].next != corner.last;) ++at;
+      if (i + 1 == size) return last == fan[0] && are_different(fan, size);
+      for (at = i + 1; at < size && corners[at][0] != last;) ++at;
       if (at == size) return false;
     }
     return false;
@@ -122,9 +122,8 @@ class FanLists {
 
   std::vector<int> begin_;               // by vertex, and the end
   std::vector<std::vector<int>> place_;  // by part, then by vertex
-  std::vector<Corner> corners_;
-  std::vector<int> fan_;
-  std::vector<std::uint8_t> closed_;  // by vertex
+  std::vector<Corner> corners_;          // by place; then the lists in the same memory
+  std::vector<std::uint8_t> closed_;     // by vertex
 };
 
 }  // namespace curvdecim::detail
