@@ -16,6 +16,7 @@ LAYERS = (
     "host_mesh",
     "run",
     "refine",
+    "passes",
     "attributes",
     "collapse removal clustering",
     "metric",

@@ -8,6 +8,7 @@
 #include "vcg_ext/host_mesh/read_carried.h"
 #include "vcg_ext/host_mesh/read_mesh.h"
 #include "vcg_ext/host_mesh/write_back.h"
+#include "vcg_ext/passes/collapse_in_passes.h"
 #include "vcg_ext/refine/refine.h"
 #include "vcg_ext/run/conclude.h"
 #include "vcg_ext/run/plan_collapse.h"
@@ -15,6 +16,22 @@
 #include "vcg_ext/run/run.h"
 
 namespace curvdecim::detail {
+
+/// Collapses edges in passes, on all cores, where they can compute as the metric does
+/// (passes/pass_schedule.h), and the rest in rounds and in strict order
+/// (collapse/collapse_edges.h). Throws CancelRequest, and InputError where there are too many
+/// pairs.
+template <class MetricType>
+Tally collapse(WorkingMesh& mesh, MetricType& metric, const CollapsePlan& plan, Carried& carried,
+               const Parallel& parallel) {
+  constexpr double reading = 0.6;  // part of the time of the preparation
+  parallel.progress().along(reading, 1.0, [&] { metric.initialize(parallel); });
+  plan.times.begin_steps("Collapsing edges", parallel.progress());
+  int next_number = 0;
+  if (carried.is_by_vertex())
+    next_number = collapse_in_passes(mesh, metric, plan, carried.blended, parallel);
+  return collapse_edges(mesh, metric, plan, carried.collapse_observers(), next_number, parallel);
+}
 
 /// The one way of every edge collapse: read, plan, collapse, refine, write. Nothing of the host's
 /// mesh changes before the last step. Params: what plan_collapse takes. with_metric(mesh, plan,
@@ -34,7 +51,7 @@ DecimationReport decimate_by_collapse(MeshType& mesh, const Params& params,
     std::optional<InputCopy> input = keep_input(copy.mesh, *plan, run.parallel);
     run.parallel.progress().ask();
     const Tally tally = with_metric(copy.mesh, plan->metric, [&](auto metric) {
-      return collapse_edges(copy.mesh, metric, *plan, carried, run.parallel);
+      return collapse(copy.mesh, metric, *plan, carried, run.parallel);
     });
     refine(copy.mesh, std::move(input), *plan, carried, run.parallel);
     write_back(mesh, copy, carried, run.report);

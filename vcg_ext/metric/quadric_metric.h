@@ -8,14 +8,15 @@
 #include <utility>
 #include <vector>
 
+#include "vcg_ext/geometry/small_quadric.h"
 #include "vcg_ext/mesh/edge_neighborhood.h"
 #include "vcg_ext/metric/border_area.h"
 #include "vcg_ext/metric/constraint_quadrics.h"
 #include "vcg_ext/metric/least_cost.h"
 #include "vcg_ext/metric/metric.h"
+#include "vcg_ext/metric/pass_weight.h"
 #include "vcg_ext/metric/placement.h"
 #include "vcg_ext/parallel/parallel.h"
-#include "vcg_ext/passes/pass_surface.h"
 
 namespace curvdecim::detail {
 

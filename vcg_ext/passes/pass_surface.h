@@ -6,40 +6,12 @@
 #include <vector>
 
 #include "vcg_ext/clustering/first_seen.h"
-#include "vcg_ext/geometry/quadric.h"
+#include "vcg_ext/geometry/small_quadric.h"
 #include "vcg_ext/mesh/triangle_connectivity.h"
+#include "vcg_ext/metric/pass_weight.h"
 #include "vcg_ext/parallel/parallel.h"
 
 namespace curvdecim::detail {
-
-/// A quadric about the vertex that carries it, in single precision: there b and c are small, and
-/// their rounding is to their own size.
-struct SmallQuadric {
-  float xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0, bx = 0, by = 0, bz = 0, c = 0;
-
-  SmallQuadric() = default;
-  explicit SmallQuadric(const Quadric& q)
-      : xx(float(q.a.xx)),
-        xy(float(q.a.xy)),
-        xz(float(q.a.xz)),
-        yy(float(q.a.yy)),
-        yz(float(q.a.yz)),
-        zz(float(q.a.zz)),
-        bx(float(q.b.x())),
-        by(float(q.b.y())),
-        bz(float(q.b.z())),
-        c(float(q.c)) {}
-
-  Quadric quadric() const { return {{xx, xy, xz, yy, yz, zz}, {bx, by, bz}, c}; }
-  double trace() const { return double(xx) + yy + zz; }
-};
-
-/// How much a vertex counts, and what that is averaged by where two become one.
-struct PassWeight {
-  float saturation = 1.0f;  ///< CurvatureWeight::saturation
-  float area = 0.0f;        ///< of the input, that has gone into it
-  float factor = 1.0f;      ///< on the planes around
-};
 
 /// What passes work on: flat arrays without adjacency. Elements keep their order.
 struct PassSurface {
