@@ -7,6 +7,7 @@
 #include <limits>
 #include <vector>
 
+#include "support/probes.h"
 #include "vcg_ext/geometry/point_tree.h"
 
 namespace curvdecim::test {
@@ -14,16 +15,6 @@ namespace curvdecim::test {
 using namespace detail;
 
 namespace {
-
-/// Points in and around the box of diagonal 1.
-std::vector<Vector3> probes() {
-  std::vector<Vector3> points;
-  for (int i = 0; i < 6; ++i)
-    for (int j = 0; j < 6; ++j)
-      for (int k = 0; k < 6; ++k)
-        points.emplace_back(0.23 * i - 0.61, 0.21 * j - 0.53, 0.19 * k - 0.47);
-  return points;
-}
 
 /// Single precision must not hide a face: coordinates that it has no number for, near and far.
 TEST(FourBoxes, AreNeverFurtherThanTheyAreAndHardlyNearer) {

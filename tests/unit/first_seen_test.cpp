@@ -50,19 +50,5 @@ TEST(FirstSeen, TakesMemoryByTheNumberOfDifferentKeys) {
   }
 }
 
-TEST(Pieces, CoverAllOnceAndInOrder) {
-  for (int threads : {1, 2, 3})
-    for (int count : {0, 1, 5, 1000, 5000}) {
-      const Parallel parallel(threads);
-      const int pieces = pieces_of(count, parallel);
-      std::vector<int> seen(count, 0), piece_of(count, 0);
-      for_pieces(count, pieces, parallel, [&](int piece, int begin, int end) {
-        for (int i = begin; i < end; ++i) ++seen[i], piece_of[i] = piece;
-      });
-      EXPECT_EQ(seen, std::vector<int>(count, 1));
-      EXPECT_TRUE(std::is_sorted(piece_of.begin(), piece_of.end()));
-    }
-}
-
 }  // namespace
 }  // namespace curvdecim::detail

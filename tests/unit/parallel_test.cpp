@@ -8,6 +8,9 @@
 #include <mutex>
 #include <set>
 #include <thread>
+#include <vector>
+
+#include "vcg_ext/parallel/pieces.h"
 
 namespace curvdecim::test {
 
@@ -66,6 +69,20 @@ TEST(Parallel, EndsWhenItIsAskedTo) {
   EXPECT_THROW(parallel.for_each(1000000, [&](int) { ++visited; }), CancelRequest);
   EXPECT_GT(visited, 0);
   EXPECT_LT(visited, 1000000);
+}
+
+TEST(Pieces, CoverAllOnceAndInOrder) {
+  for (int threads : {1, 2, 3})
+    for (int count : {0, 1, 5, 1000, 5000}) {
+      const Parallel parallel(threads);
+      const int pieces = pieces_of(count, parallel);
+      std::vector<int> seen(count, 0), piece_of(count, 0);
+      for_pieces(count, pieces, parallel, [&](int piece, int begin, int end) {
+        for (int i = begin; i < end; ++i) ++seen[i], piece_of[i] = piece;
+      });
+      EXPECT_EQ(seen, std::vector<int>(count, 1));
+      EXPECT_TRUE(std::is_sorted(piece_of.begin(), piece_of.end()));
+    }
 }
 
 }  // namespace

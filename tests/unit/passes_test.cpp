@@ -87,8 +87,8 @@ TEST(FanFaces, CountByTheMeanOfTheirFactors) {
 
 class Look : public testing::Test {
  protected:
-  std::optional<PassCandidate> at(const Shape& shape, int a, int b, double limit = no_limit,
-                                  FaceLimits limits = {}) {
+  std::optional<Candidate> at(const Shape& shape, int a, int b, double limit = no_limit,
+                              FaceLimits limits = {}) {
     const PassSurface surface = surface_of(shape);
     const FanLists fans = fans_of(surface);
     return FanCollapse(surface, fans, limits).look(a, b, nothing_merged(surface), limit);

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "support/drawn_meshes.h"
+#include "support/probes.h"
 #include "support/working_mesh.h"
 
 namespace curvdecim::test {
@@ -18,16 +19,6 @@ namespace {
 constexpr double no_limit = 1e300;
 
 WorkingMesh in_unit_box(const Shape& shape) { return working_mesh(scaled(shape, 0.25)); }
-
-/// Points in and around the box.
-std::vector<Vector3> probes() {
-  std::vector<Vector3> points;
-  for (int i = 0; i < 6; ++i)
-    for (int j = 0; j < 6; ++j)
-      for (int k = 0; k < 6; ++k)
-        points.emplace_back(0.23 * i - 0.61, 0.21 * j - 0.53, 0.19 * k - 0.47);
-  return points;
-}
 
 double least_distance2(const WorkingMesh& mesh, const Vector3& p, const Vector3& facing) {
   double least = no_limit;

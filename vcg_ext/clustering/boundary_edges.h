@@ -9,6 +9,7 @@
 
 #include "vcg_ext/clustering/first_seen.h"
 #include "vcg_ext/clustering/flat_mesh.h"
+#include "vcg_ext/parallel/parallel.h"
 
 namespace curvdecim::detail {
 

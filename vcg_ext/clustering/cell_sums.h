@@ -6,6 +6,7 @@
 
 #include "vcg_ext/clustering/clusters.h"
 #include "vcg_ext/geometry/quadric.h"
+#include "vcg_ext/parallel/pieces.h"
 
 namespace curvdecim::detail {
 

@@ -10,6 +10,7 @@
 #include "vcg_ext/clustering/cell_grid.h"
 #include "vcg_ext/clustering/first_seen.h"
 #include "vcg_ext/clustering/flat_mesh.h"
+#include "vcg_ext/parallel/pieces.h"
 
 namespace curvdecim::detail {
 

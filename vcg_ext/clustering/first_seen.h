@@ -6,8 +6,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "vcg_ext/parallel/parallel.h"
-
 namespace curvdecim::detail {
 
 /// Spreads every bit over the word: the finalizer of splitmix64 @cite steele2014.
@@ -70,20 +68,5 @@ class FirstSeen {
   std::vector<int> slots_;  // numbers; at most half of them in use
   std::vector<Key> keys_;   // by number
 };
-
-/// Where work in the order of the elements can be cut, so that each thread has one piece.
-inline int pieces_of(int count, const Parallel& parallel) {
-  return count < 2 * Parallel::light.least ? 1 : parallel.threads();
-}
-
-/// work(piece, begin, end) for consecutive pieces of 0..count.
-template <class Work>
-void for_pieces(int count, int pieces, const Parallel& parallel, Work work) {
-  const auto bound = [&](int piece) {
-    return static_cast<int>(static_cast<std::int64_t>(count) * piece / pieces);
-  };
-  parallel.for_each(
-      pieces, [&](int piece) { work(piece, bound(piece), bound(piece + 1)); }, Grain{1, pieces});
-}
 
 }  // namespace curvdecim::detail

@@ -155,7 +155,7 @@ class CollapseOperator {
   Done collapse(const Candidate& candidate, double error_bound, int number, Scratch& scratch) {
     const EdgeNeighborhood& around = scratch.around;
     assert(scratch.after.size() == around.star().size());
-    const VertexMerge done = merge_of(around.edge(), candidate);
+    const VertexMerge done = merge_of(around.edge(), candidate, mesh_.position);
     guards_.accept(around, error_bound);
     metric_.release(around, scratch.after);
     for (CollapseObserver* observer : observers_) observer->before(mesh_, around, done, number);
@@ -220,18 +220,6 @@ class CollapseOperator {
       neighbors.push_back(u);
     }
     return true;
-  }
-
-  /// The vertex that does not move stays, if there is one, so that it keeps its bits.
-  VertexMerge merge_of(Edge edge, const Candidate& candidate) const {
-    const bool keep_b = candidate.position == mesh_.position[edge.b];
-    const int keep = keep_b ? edge.b : edge.a, gone = keep_b ? edge.a : edge.b;
-    return {keep,
-            gone,
-            mesh_.position[keep],
-            mesh_.position[gone],
-            candidate.position,
-            keep_b ? 1.0 - candidate.t : candidate.t};
   }
 
   /// Parts that touch make junctions, and seams that close none: the kinds are told anew. A locked

@@ -69,8 +69,9 @@ class StrictSchedule {
 
   /// False if edges of many faces were not held back.
   bool spares_no_more() {
+    if (!std::exchange(is_sparing_, false)) return false;
     std::fill(changed_.begin(), changed_.end(), 1);
-    return std::exchange(is_sparing_, false);
+    return true;
   }
 
   /// The answer about an edge depends on what is up to three edges away. Pairs reach further, and

@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include "vcg_ext/clustering/first_seen.h"
 #include "vcg_ext/clustering/flat_mesh.h"
 #include "vcg_ext/host_mesh/working_copy.h"
+#include "vcg_ext/parallel/pieces.h"
 
 namespace curvdecim::detail {
 

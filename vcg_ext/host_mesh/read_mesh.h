@@ -144,8 +144,7 @@ class WorkingCopyReader {
     WorkingMesh& mesh = copy_.mesh;
     connect(mesh, std::move(faces_), parallel_);
     mesh.locked.assign(mesh.position.size(), 0);
-    mesh.plane.resize(mesh.connectivity.face_slots());
-    parallel_.for_each(mesh.connectivity.face_slots(), [&](int f) { mesh.update_plane(f); });
+    mesh.update_planes(parallel_);
     copy_.selected.resize(face_of_.size());
     parallel_.for_each(static_cast<int>(face_of_.size()),
                        [&](int f) { copy_.selected[f] = mesh_.face[face_of_[f]].IsS(); });

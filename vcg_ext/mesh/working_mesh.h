@@ -32,6 +32,12 @@ struct WorkingMesh {
 
   void update_plane(int f) { plane[f] = face_plane(triangle(f)); }
 
+  /// Those of all faces, none of which is dead.
+  void update_planes(const Parallel& parallel) {
+    plane.resize(connectivity.face_slots());
+    parallel.for_each(connectivity.face_slots(), [&](int f) { update_plane(f); });
+  }
+
   void renumber(const Renumbering& numbers) {
     numbers.vertices(position), numbers.vertices(kind), numbers.vertices(locked);
     numbers.vertices(importance), numbers.vertices(vertex_origin, vertex_origins);

@@ -40,7 +40,7 @@ class CurvatureWeightedMetric {
     return {saturation_[v], area_[v], static_cast<float>(quadric_.factor(v))};
   }
 
-  /// Of a vertex that two have become.
+  /// The weight of a vertex that two have become.
   PassWeight merged(const PassWeight& keep, const PassWeight& gone) const {
     const double saturation = averaged(keep.saturation, keep.area, gone.saturation, gone.area);
     return {static_cast<float>(saturation), keep.area + gone.area,

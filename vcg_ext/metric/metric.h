@@ -44,6 +44,16 @@ struct Candidate {
   double t;  // 0..1: where along the edge attributes are taken from
 };
 
+/// What the collapse of an edge merges; position: by vertex. The vertex that does not move stays,
+/// if there is one, so that it keeps its bits.
+inline VertexMerge merge_of(Edge edge, const Candidate& candidate,
+                            const std::vector<Vector3>& position) {
+  const bool keep_b = candidate.position == position[edge.b];
+  const int keep = keep_b ? edge.b : edge.a, gone = keep_b ? edge.a : edge.b;
+  const double t = keep_b ? 1.0 - candidate.t : candidate.t;
+  return {keep, gone, position[keep], position[gone], candidate.position, t};
+}
+
 /// Compiles for a metric only: another type lacks a call that is named here, or gives another
 /// result.
 template <class M>

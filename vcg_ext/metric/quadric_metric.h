@@ -70,7 +70,7 @@ class QuadricMetric {
 
   PassWeight pass_weight(int v) const { return {1.0f, 0.0f, static_cast<float>(factor(v))}; }
 
-  /// Of a vertex that two have become.
+  /// The weight of a vertex that two have become.
   static PassWeight merged(const PassWeight&, const PassWeight&) { return {}; }
 
   /// On the mesh as it is now.

@@ -42,27 +42,18 @@ PassSurface split(WorkingMesh& mesh, MetricType& metric, const Parallel& paralle
   return surface;
 }
 
-/// Keeps of an array what is left, by the numbers that it had.
-template <class T>
-void keep_only(const std::vector<int>& old, std::vector<T>& array) {
-  if (array.empty()) return;
-  for (std::size_t i = 0; i < old.size(); ++i) array[i] = array[old[i]];
-  array.resize(old.size());
-  array.shrink_to_fit();
-}
-
 /// The mesh and its metric with what passes have left.
 template <class MetricType>
 void join(PassSurface surface, WorkingMesh& mesh, MetricType& metric, const Parallel& parallel) {
   mesh.position = std::move(surface.position);
   mesh.importance.assign(surface.importance.begin(), surface.importance.end());
-  keep_only(surface.vertex_before, mesh.kind), keep_only(surface.vertex_before, mesh.locked);
-  keep_only(surface.vertex_before, mesh.vertex_origin);
-  keep_only(surface.face_before, mesh.face_origin);
+  keep_only(surface.vertex_before, parallel, mesh.kind);
+  keep_only(surface.vertex_before, parallel, mesh.locked);
+  keep_only(surface.vertex_before, parallel, mesh.vertex_origin);
+  keep_only(surface.face_before, parallel, mesh.face_origin);
   mesh.connectivity =
       TriangleConnectivity(std::move(surface.faces), static_cast<int>(mesh.position.size()));
-  mesh.plane.resize(mesh.connectivity.face_slots());
-  parallel.for_each(mesh.connectivity.face_slots(), [&](int f) { mesh.update_plane(f); });
+  mesh.update_planes(parallel);
   metric.resume(surface.memory, surface.weight, parallel);
 }
 

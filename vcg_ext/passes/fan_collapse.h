@@ -8,6 +8,7 @@
 
 #include "vcg_ext/attributes/attribute_blend.h"
 #include "vcg_ext/guard/limits.h"
+#include "vcg_ext/metric/metric.h"
 #include "vcg_ext/metric/placement.h"
 #include "vcg_ext/passes/fan_points.h"
 #include "vcg_ext/passes/pass_surface.h"
@@ -39,13 +40,6 @@ class Ring {
   int size_ = 0;
 };
 
-/// What a collapse within a pass would do.
-struct PassCandidate {
-  double cost;
-  Vector3 position;
-  double t;  // 0..1: where along the edge, from its first end, attributes are taken from
-};
-
 /// Looks at single edges between vertices with closed fans, as the surface is now. What it does not
 /// allow waits: for another pass, or for the guards that have prices (guard/collapse_guards.h).
 class FanCollapse {
@@ -57,7 +51,7 @@ class FanCollapse {
 
   /// Neither a nor b has changed in this pass; into: by vertex, what it has become. nullopt: it
   /// costs more than `limit`, or is not allowed.
-  std::optional<PassCandidate> look(int a, int b, const std::vector<int>& into, double limit) {
+  std::optional<Candidate> look(int a, int b, const std::vector<int>& into, double limit) {
     if (!a_.gather(fans_.of(a), into, b) || !b_.gather(fans_.of(b), into, a)) return std::nullopt;
     if (!keeps_topology()) return std::nullopt;
     const Vector3 half = 0.5 * (surface_.position[b] - surface_.position[a]);
@@ -70,8 +64,7 @@ class FanCollapse {
     if (cost > limit || stands_off(least.offset, half)) return std::nullopt;
     if (spoils(around_a, of_a, least.offset) || spoils(around_b, of_b, least.offset))
       return std::nullopt;
-    return PassCandidate{cost, in_place(least.offset, a, b, half),
-                         parameter_along(half, least.offset)};
+    return Candidate{cost, in_place(least.offset, a, b, half), parameter_along(half, least.offset)};
   }
 
   /// Where on the faces around the edge that was looked at last, before it collapses, x is nearest,

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "vcg_ext/mesh/triangle_connectivity.h"
-#include "vcg_ext/parallel/parallel.h"
+#include "vcg_ext/parallel/pieces.h"
 
 namespace curvdecim::detail {
 
@@ -42,18 +42,15 @@ class FanLists {
 
   static constexpr int most_pieces = 8;  // each has a counter a vertex
 
-  int pieces(const Parallel& parallel, std::size_t faces) const {
-    return faces < 2 * Parallel::light.least ? 1 : std::min(most_pieces, parallel.threads());
-  }
-
-  /// Of the vertex's faces those of earlier pieces come first: the order is that of the faces.
+  /// Among a vertex's faces those of earlier pieces come first: the order is that of the faces.
   template <class Wanted>
   void count(const std::vector<Face>& faces, int vertices, const Parallel& parallel,
              Wanted wanted) {
-    const int parts = pieces(parallel, faces.size());
-    place_.resize(parts);
-    for_parts(faces, parallel, [&](int part, int begin, int end) {
-      std::vector<int>& count = place_[part];
+    const int face_count = static_cast<int>(faces.size());
+    const int pieces = std::min(most_pieces, pieces_of(face_count, parallel));
+    place_.resize(pieces);
+    for_pieces(face_count, pieces, parallel, [&](int piece, int begin, int end) {
+      std::vector<int>& count = place_[piece];
       count.assign(vertices, 0);
       for (int f = begin; f < end; ++f)
         for (int v : faces[f]) count[v] += wanted(v);
@@ -62,15 +59,16 @@ class FanLists {
     int at = 0;
     for (int v = 0; v < vertices; ++v) {
       begin_[v] = at;
-      for (int part = 0; part < parts; ++part) at += std::exchange(place_[part][v], at);
+      for (std::vector<int>& place : place_) at += std::exchange(place[v], at);
     }
     begin_[vertices] = at;
   }
 
   template <class Wanted>
   void fill(const std::vector<Face>& faces, const Parallel& parallel, Wanted wanted) {
-    for_parts(faces, parallel, [&](int part, int begin, int end) {
-      std::vector<int>& place = place_[part];
+    const int face_count = static_cast<int>(faces.size()), pieces = static_cast<int>(place_.size());
+    for_pieces(face_count, pieces, parallel, [&](int piece, int begin, int end) {
+      std::vector<int>& place = place_[piece];
       for (int f = begin; f < end; ++f) {
         const auto [a, b, c] = faces[f];
         if (wanted(a)) corners_[place[a]++] = {b, c};
@@ -78,19 +76,6 @@ class FanLists {
         if (wanted(c)) corners_[place[c]++] = {a, b};
       }
     });
-  }
-
-  template <class Work>
-  void for_parts(const std::vector<Face>& faces, const Parallel& parallel, Work work) {
-    const auto count = static_cast<std::int64_t>(faces.size());
-    const int parts = static_cast<int>(place_.size());
-    parallel.for_each(
-        parts,
-        [&](int part) {
-          work(part, static_cast<int>(count * part / parts),
-               static_cast<int>(count * (part + 1) / parts));
-        },
-        Grain{1, parts});
   }
 
   /// Writes the list where the corners were. False where they are no closed fan.
@@ -121,7 +106,7 @@ class FanLists {
   }
 
   std::vector<int> begin_;               // by vertex, and the end
-  std::vector<std::vector<int>> place_;  // by part, then by vertex
+  std::vector<std::vector<int>> place_;  // by piece, then by vertex
   std::vector<Corner> corners_;          // by place; then the lists in the same memory
   std::vector<std::uint8_t> closed_;     // by vertex
 };

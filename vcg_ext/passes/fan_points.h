@@ -33,7 +33,7 @@ class FanPoints {
   VectorLanes points(int group) const { return from(lane_count * group); }
   VectorLanes following(int group) const { return from(lane_count * group + 1); }
 
-  /// Of a point and the following one, summed.
+  /// Factors of a point and of the following one, summed.
   Lanes factors(int group) const {
     const float* const first = &factor_[lane_count * group];
     return load(first) + load(first + 1);

@@ -86,36 +86,30 @@ class PassCollapses {
     const int u = ranks_.partner(v);
     if (merged_[v] != 0 || merged_[u] != 0) return;
     const auto candidate = collapse.look(v, u, into_, limit);
-    if (candidate) merge(v, u, *candidate, collapse, steps);
+    if (candidate) merge(merge_of({v, u}, *candidate, surface_.position), collapse, steps);
   }
 
-  /// The vertex that does not move stays, if there is one, so that it keeps its bits.
-  void merge(int a, int b, const PassCandidate& candidate, const FanCollapse& collapse,
-             BlendSteps& steps) {
-    const Vector3& x = candidate.position;
-    const bool keep_b = x == surface_.position[b];
-    const int keep = keep_b ? b : a, gone = keep_b ? a : b;
-    const auto remembered = [&](int v) {
-      return surface_.memory[v].quadric().with_origin_moved(x - surface_.position[v]);
-    };
-    surface_.memory[keep] = SmallQuadric(remembered(keep) + remembered(gone));
+  void merge(const VertexMerge& merge, const FanCollapse& collapse, BlendSteps& steps) {
+    const auto [keep, gone, keep_was, gone_was, now, t] = merge;
+    surface_.memory[keep] =
+        SmallQuadric(surface_.memory[keep].quadric().with_origin_moved(now - keep_was) +
+                     surface_.memory[gone].quadric().with_origin_moved(now - gone_was));
     surface_.weight[keep] = metric_.merged(surface_.weight[keep], surface_.weight[gone]);
-    const double t = keep_b ? 1.0 - candidate.t : candidate.t;
     if (!surface_.importance.empty())
       surface_.importance[keep] +=
           static_cast<float>(t) * (surface_.importance[gone] - surface_.importance[keep]);
-    if (x != surface_.position[keep]) note(keep, gone, t, x, collapse, steps);
-    surface_.position[keep] = x;
+    if (now != keep_was) note(merge, collapse, steps);
+    surface_.position[keep] = now;
     into_[gone] = keep;
     merged_[keep] = merged_[gone] = 1;
   }
 
   /// By the numbers before the passes.
-  void note(int keep, int gone, double t, const Vector3& x, const FanCollapse& collapse,
-            BlendSteps& steps) const {
-    const EdgeStep along{surface_.vertex_before[keep], surface_.vertex_before[gone], float(t)};
+  void note(const VertexMerge& merge, const FanCollapse& collapse, BlendSteps& steps) const {
+    const EdgeStep along{surface_.vertex_before[merge.keep], surface_.vertex_before[merge.gone],
+                         float(merge.t)};
     if (over_surface_)
-      steps.over_surface.push_back(collapse.nearest_step(x, along));
+      steps.over_surface.push_back(collapse.nearest_step(merge.now, along));
     else
       steps.on_edge.push_back(along);
   }

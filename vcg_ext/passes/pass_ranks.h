@@ -66,7 +66,7 @@ class PassRanks {
     }
   }
 
-  /// Of the vertices from `first` on, as many as there are lanes.
+  /// Ranks as many vertices as there are lanes, from `first` on.
   void rank(const PassSurface& surface, int first) {
     std::array<int, lane_count> v, u;
     for (int lane = 0; lane < lane_count; ++lane) {

@@ -5,13 +5,22 @@
 #include <utility>
 #include <vector>
 
-#include "vcg_ext/clustering/first_seen.h"
 #include "vcg_ext/geometry/small_quadric.h"
 #include "vcg_ext/mesh/triangle_connectivity.h"
 #include "vcg_ext/metric/pass_weight.h"
-#include "vcg_ext/parallel/parallel.h"
+#include "vcg_ext/parallel/pieces.h"
 
 namespace curvdecim::detail {
+
+/// Keeps of an array the elements with these numbers, in memory for no more. An empty array stays
+/// empty.
+template <class T>
+void keep_only(const std::vector<int>& left, const Parallel& parallel, std::vector<T>& array) {
+  if (array.empty()) return;
+  std::vector<T> now(left.size());
+  parallel.for_each(static_cast<int>(left.size()), [&](int i) { now[i] = array[left[i]]; });
+  array.swap(now);
+}
 
 /// What passes work on: flat arrays without adjacency. Elements keep their order.
 struct PassSurface {
@@ -48,10 +57,10 @@ struct PassSurface {
     parallel.for_each(face_count(), [&](int f) {
       for (int& v : faces[f]) v = number[into[v]];
     });
-    keep(stays, parallel, position), keep(stays, parallel, memory);
-    keep(stays, parallel, weight), keep(stays, parallel, importance);
-    keep(stays, parallel, held), keep(stays, parallel, vertex_before);
-    keep(left, parallel, faces), keep(left, parallel, face_before);
+    keep_only(stays, parallel, position), keep_only(stays, parallel, memory);
+    keep_only(stays, parallel, weight), keep_only(stays, parallel, importance);
+    keep_only(stays, parallel, held), keep_only(stays, parallel, vertex_before);
+    keep_only(left, parallel, faces), keep_only(left, parallel, face_before);
   }
 
  private:
@@ -69,15 +78,6 @@ struct PassSurface {
     for (int piece = 1; piece < pieces; ++piece)
       all.insert(all.end(), of_piece[piece].begin(), of_piece[piece].end());
     return all;
-  }
-
-  /// An empty array stays empty.
-  template <class T>
-  static void keep(const std::vector<int>& left, const Parallel& parallel, std::vector<T>& array) {
-    if (array.empty()) return;
-    std::vector<T> now(left.size());
-    parallel.for_each(static_cast<int>(left.size()), [&](int i) { now[i] = array[left[i]]; });
-    array.swap(now);
   }
 };
 

@@ -7,7 +7,7 @@
 #include <tuple>
 #include <vector>
 
-#include "vcg_ext/attributes/wedge_texture.h"
+#include "vcg_ext/attributes/carried.h"
 #include "vcg_ext/mesh/working_mesh.h"
 #include "vcg_ext/parallel/parallel.h"
 #include "vcg_ext/refine/input_samples.h"

@@ -140,7 +140,7 @@ class Refinement {
     std::vector<Vector3> now = guard_.moved(std::move(steps), near_, farthest(), parallel_);
     if (carried_.wedges) carried_.wedges->move(mesh_, now);
     mesh_.position.swap(now);
-    parallel_.for_each(face_count(), [&](int f) { mesh_.update_plane(f); });
+    mesh_.update_planes(parallel_);
     mesh_tree_.refit(parallel_);
   }
 
