@@ -31,11 +31,17 @@ Arrays = tuple[NDArray, NDArray]
 """Vertices (n, 3) and faces (m, 3)."""
 
 LIBRARIES = {
+    "Blender": "bpy",
     "fast-simplification": "fast_simplification",
     "libigl": "igl",
+    "MeshLib": "meshlib.mrmeshpy",
     "Open3D": "open3d",
     "VTK": "vtk",
 }
+
+
+PACKAGES = {"Blender": "bpy"}
+"""The names of those that another name is installed by."""
 
 
 @dataclass(frozen=True)
@@ -82,6 +88,57 @@ def libigl(function: str) -> Callable[[Task], Call]:
         return Call(lambda: simplify(vertices, faces, task.target), lambda result: result[:2])
 
     return prepare
+
+
+def meshlib(parts: int, accurate: bool) -> Callable[[Task], Call]:
+    """parts: decimated at a time. accurate: without its bound on shapes, hardly stabilized."""
+
+    def prepare(task: Task) -> Call:
+        from meshlib import mrmeshnumpy, mrmeshpy
+
+        mesh = mrmeshnumpy.meshFromFacesVerts(task.faces.astype(np.int32), task.vertices)
+        settings = mrmeshpy.DecimateSettings()
+        settings.strategy = mrmeshpy.DecimateStrategy.MinimizeError
+        settings.maxDeletedFaces = len(task.faces) - task.target
+        settings.subdivideParts = parts
+        settings.packMesh = True
+        if accurate:
+            settings.stabilizer = 1e-6
+            settings.maxTriangleAspectRatio = float(np.finfo(np.float32).max)
+
+        def read(_: object) -> Arrays:
+            faces = mrmeshnumpy.getNumpyFaces(mesh.topology)
+            return mrmeshnumpy.getNumpyVerts(mesh), faces
+
+        return Call(lambda: mrmeshpy.decimateMesh(mesh, settings), read)
+
+    return prepare
+
+
+def blender(task: Task) -> Call:
+    """The modifier that collapses edges; it takes a ratio."""
+    import bpy
+
+    mesh = bpy.data.meshes.new("mesh")
+    mesh.from_pydata(task.vertices.tolist(), [], task.faces.tolist())
+    thing = bpy.data.objects.new("thing", mesh)
+    bpy.context.scene.collection.objects.link(thing)
+    modifier = thing.modifiers.new("decimate", "DECIMATE")
+    modifier.ratio = task.target / len(task.faces)
+
+    def run() -> object:
+        return thing.evaluated_get(bpy.context.evaluated_depsgraph_get()).to_mesh()
+
+    return Call(run, _blender_arrays)
+
+
+def _blender_arrays(mesh: object) -> Arrays:
+    mesh.calc_loop_triangles()
+    points = np.empty(3 * len(mesh.vertices))
+    corners = np.empty(3 * len(mesh.loop_triangles), dtype=np.int64)
+    mesh.vertices.foreach_get("co", points)
+    mesh.loop_triangles.foreach_get("vertices", corners)
+    return points.reshape(-1, 3), corners.reshape(-1, 3)
 
 
 def open3d_quadric(task: Task) -> Call:
@@ -174,9 +231,14 @@ def _vtk_call(filter_: object, task: Task) -> Call:
 
 
 POLICIES: dict[str, Callable[[Task], Call]] = {
+    "blender": blender,
     "fast-simplification": fast_simplification,
     "igl.qslim": libigl("qslim"),
     "igl.decimate": libigl("decimate"),
+    "meshlib": meshlib(parts=1, accurate=False),
+    "meshlib.16": meshlib(parts=16, accurate=False),
+    "meshlib.accurate": meshlib(parts=1, accurate=True),
+    "meshlib.accurate-16": meshlib(parts=16, accurate=True),
     "open3d.quadric": open3d_quadric,
     "open3d.clustering-average": open3d_clustering("Average"),
     "open3d.clustering-quadric": open3d_clustering("Quadric"),
@@ -215,7 +277,8 @@ def versions() -> dict[str, dict[str, str | None]]:
     for name, module in LIBRARIES.items():
         try:
             importlib.import_module(module)
-            found[name] = {"version": metadata.version(name.lower()), "reason": None}
+            package = PACKAGES.get(name, name.lower())
+            found[name] = {"version": metadata.version(package), "reason": None}
         except Exception as error:  # a broken library may raise anything; the others go on
             found[name] = {"version": None, "reason": f"{type(error).__name__}: {error}"}
     return found

@@ -55,7 +55,7 @@ def test_what_the_summary_speaks_of_is_in_the_table(name: str) -> None:
 def test_every_peer_is_there_and_every_library_policy_is_known_to_the_worker() -> None:
     assert {policy.peer for policy in POLICIES} == {
         *(OURS, CORE, "MeshLab", "CGAL", "OpenMesh", "meshoptimizer"),
-        *("VTK", "libigl", "fast-simplification", "Open3D"),
+        *("VTK", "libigl", "fast-simplification", "MeshLib", "Open3D", "Blender"),
     }
     used = {p.adapter.policy for p in POLICIES if isinstance(p.adapter, Library)}
     assert used == set(library_worker.POLICIES)

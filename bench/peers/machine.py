@@ -24,8 +24,9 @@ _PROGRAM_OF = {
     "meshoptimizer": "meshoptimizer",
     CORE: "curvdecim",
 }
-_LIBRARIES = ("VTK", "libigl", "fast-simplification", "Open3D")
+_LIBRARIES = ("VTK", "libigl", "fast-simplification", "MeshLib", "Open3D", "Blender")
 _SETUP_HINT = "not set up; scripts/bench sets it up"
+_BLENDER_HINT = "large, so not set up; build/peers/venv/bin/pip install bpy adds it"
 
 
 @dataclass(frozen=True)
@@ -47,7 +48,7 @@ def look(plugin: Path = DEFAULT_PLUGIN) -> Peers:
     reasons = _reasons_of_setup(BUILD / "absent.txt")
     for peer, version in (_program_versions() | _library_versions()).items():
         if version is None:
-            absent[peer] = reasons.get(peer, _SETUP_HINT)
+            absent[peer] = reasons.get(peer, _BLENDER_HINT if peer == "Blender" else _SETUP_HINT)
         else:
             versions[peer] = version
     if CORE in versions:

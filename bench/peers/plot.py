@@ -31,7 +31,9 @@ _COLORS = {
     "VTK": "#9c2f4c",
     "libigl": "#6a6d12",
     "fast-simplification": "#0f7f8c",
+    "MeshLib": "#b0479a",
     "Open3D": "#5f5f5f",
+    "Blender": "#b8860b",
 }
 _LABEL_POINTS, _OURS_POINTS = 7.5, 9.0
 _MARKER, _OUR_MARKER = 34.0, 95.0  # points squared

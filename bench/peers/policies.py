@@ -59,7 +59,9 @@ def every_policy(plugin: Path) -> list[Policy]:
         Policy("libigl qslim", "libigl", Library("igl.qslim"), largest_faces=_MILLION),
         Policy("libigl decimate", "libigl", Library("igl.decimate")),
         *_fast_simplification(),
+        *_meshlib(),
         *_open3d(),
+        Policy("Blender decimate", "Blender", Library("blender"), largest_faces=_FEW_MILLIONS),
     ]
 
 
@@ -170,6 +172,18 @@ def _fast_simplification() -> list[Policy]:
     return [
         Policy(name, name, adapter),
         Policy(f"{name}, diagonal {_UNIT:g}", name, adapter, _UNIT, largest_faces=_ANY_SIZE),
+    ]
+
+
+def _meshlib() -> list[Policy]:
+    def policy(settings: str, call: str, largest_faces: int = 0) -> Policy:
+        return Policy(f"MeshLib{settings}", "MeshLib", Library(call), largest_faces=largest_faces)
+
+    return [
+        policy("", "meshlib", _FEW_MILLIONS),
+        policy(", 16 parts", "meshlib.16", _ANY_SIZE),
+        policy(", accurate", "meshlib.accurate"),
+        policy(", accurate, 16 parts", "meshlib.accurate-16"),
     ]
 
 
