@@ -25,12 +25,17 @@ template <class MetricType>
 Tally collapse(WorkingMesh& mesh, MetricType& metric, const CollapsePlan& plan, Carried& carried,
                const Parallel& parallel) {
   constexpr double reading = 0.6;  // part of the time of the preparation
-  parallel.progress().along(reading, 1.0, [&] { metric.initialize(parallel); });
+  std::optional<PassSurface> surface;
+  parallel.progress().along(reading, 1.0, [&] {
+    surface = prepare(mesh, metric, plan, carried.is_by_vertex(), parallel);
+  });
   plan.times.begin_steps("Collapsing edges", parallel.progress());
-  int next_number = 0;
-  if (carried.is_by_vertex())
-    next_number = collapse_in_passes(mesh, metric, plan, carried.blended, parallel);
-  return collapse_edges(mesh, metric, plan, carried.collapse_observers(), next_number, parallel);
+  Tally tally;
+  const int next_number = surface ? collapse_in_passes(*std::move(surface), mesh, metric, plan,
+                                                       carried.blended, parallel, tally)
+                                  : 0;
+  collapse_edges(mesh, metric, plan, carried.collapse_observers(), next_number, parallel, tally);
+  return tally;
 }
 
 /// The one way of every edge collapse: read, plan, collapse, refine, write. Nothing of the host's
@@ -47,14 +52,15 @@ DecimationReport decimate_by_collapse(MeshType& mesh, const Params& params,
     const auto plan = plan_collapse(params, facts);
     if (!plan) return note_nothing_to_do(reached_target(params, facts), run.report);
     run.parallel.progress().ask();
-    Carried carried = read_carried(mesh, copy, params.quality_weight, *plan, run.report);
+    Carried carried =
+        read_carried(mesh, copy, params.quality_weight, *plan, run.parallel, run.report);
     std::optional<InputCopy> input = keep_input(copy.mesh, *plan, run.parallel);
     run.parallel.progress().ask();
     const Tally tally = with_metric(copy.mesh, plan->metric, [&](auto metric) {
       return collapse(copy.mesh, metric, *plan, carried, run.parallel);
     });
     refine(copy.mesh, std::move(input), *plan, carried, run.parallel);
-    write_back(mesh, copy, carried, run.report);
+    write_back(mesh, copy, carried, run.parallel, run.report);
     conclude(tally, *plan, copy.mesh, copy.box.diagonal, run.report);
   });
 }

@@ -23,7 +23,7 @@ BlendRecord record(const WorkingMesh& mesh, const Vector3& now, bool over_surfac
 }
 
 void replay(const BlendRecord& record, std::vector<double>& values) {
-  record.for_each([&](const BlendStep& step) { take(step, values, values); });
+  record.for_each(Parallel(1), [&](const BlendStep& step) { take(step, values, values); });
 }
 
 TEST(AttributeBlend, TakesTheValueOfThePlaceOnTheSurface) {
@@ -47,7 +47,7 @@ TEST(AttributeBlend, LeavesAVertexThatStaysAlone) {
   const WorkingMesh mesh = working_mesh(plane_grid(4));
   for (bool over_surface : {true, false}) {
     const BlendRecord blend = record(mesh, mesh.position[17], over_surface);
-    blend.for_each([](const BlendStep&) { ADD_FAILURE(); });
+    blend.for_each(Parallel(1), [](const BlendStep&) { ADD_FAILURE(); });
     std::vector<double> values(mesh.position.size(), 0.0);
     values[12] = 5.0;
     replay(blend, values);

@@ -3,9 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
 #include <vector>
 
 #include "support/drawn_meshes.h"
+#include "support/working_mesh.h"
+#include "vcg_ext/passes/collapse_in_passes.h"
 
 namespace curvdecim::test {
 
@@ -13,11 +16,15 @@ using namespace detail;
 
 namespace {
 
-using List = std::vector<int>;
+using List = std::vector<std::pair<int, int>>;  // faces, and the vertices that follow in them
 
 const auto everything = [](int) { return true; };
 
-List list(const FanLists& fans, int v) { return {fans.of(v).begin(), fans.of(v).end()}; }
+List list(const FanLists& fans, int v) {
+  List list;
+  for (const auto& [face, next] : fans.of(v)) list.push_back({face, next});
+  return list;
+}
 
 FanLists fans_of(const std::vector<Face>& faces, int vertices, int threads = 1) {
   FanLists fans;
@@ -32,37 +39,20 @@ std::vector<Face> disk(int sides) {
   return faces;
 }
 
-TEST(FanLists, HaveTheOrderOfTheFacesFromTheLeastOn) {
-  EXPECT_EQ(list(fans_of({{3, 2, 0}, {0, 1, 3}, {2, 1, 0}, {1, 2, 3}}, 4), 0), (List{1, 3, 2}));
-  EXPECT_EQ(list(fans_of({{0, 9, 4}, {2, 9, 0}, {0, 4, 2}}, 10), 0), (List{2, 9, 4}));
-}
-
-TEST(FanLists, AreEmptyWhereTheFacesAreNoClosedFan) {
-  std::vector<Face> open = disk(6);
-  open.pop_back();
-  EXPECT_TRUE(list(fans_of(open, 7), 0).empty());
-  EXPECT_TRUE(list(fans_of(disk(6), 7), 1).empty()) << "a vertex of the border";
-  const std::vector<Face> two = {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {0, 4, 5}, {0, 5, 6}, {0, 6, 4}};
-  EXPECT_TRUE(list(fans_of(two, 7), 0).empty()) << "two fans";
-  EXPECT_TRUE(list(fans_of(two, 8), 7).empty()) << "no face";
-}
-
-TEST(FanLists, AreEmptyWhereAFaceIsTheOtherWayRound) {
-  std::vector<Face> faces = disk(5);
-  std::swap(faces[2][1], faces[2][2]);
-  EXPECT_TRUE(list(fans_of(faces, 6), 0).empty());
-}
-
-TEST(FanLists, AreEmptyWhereAnEdgeHasFourFaces) {
-  std::vector<Face> faces = disk(4);
-  for (const Face& face : {Face{0, 1, 5}, Face{0, 5, 6}, Face{0, 6, 1}}) faces.push_back(face);
-  EXPECT_TRUE(list(fans_of(faces, 7), 0).empty());
+TEST(FanLists, HaveTheFacesInOrderWithTheVertexThatFollows) {
+  const FanLists fans = fans_of({{3, 2, 0}, {0, 1, 3}, {2, 1, 0}, {1, 2, 3}}, 5);
+  EXPECT_EQ(list(fans, 0), (List{{0, 3}, {1, 1}, {2, 2}}));
+  EXPECT_EQ(list(fans, 3), (List{{0, 2}, {1, 0}, {3, 1}}));
+  EXPECT_TRUE(list(fans, 4).empty()) << "no face";
 }
 
 TEST(FanLists, LeaveOutVerticesOfVeryManyFaces) {
   constexpr int most = FanLists::longest;
-  EXPECT_EQ(list(fans_of(disk(most), most + 1), 0).size(), std::size_t{most});
-  EXPECT_TRUE(list(fans_of(disk(most + 1), most + 2), 0).empty());
+  const FanLists fits = fans_of(disk(most), most + 1), does_not = fans_of(disk(most + 1), most + 2);
+  EXPECT_EQ(list(fits, 0).size(), std::size_t{most});
+  EXPECT_TRUE(fits.has(0));
+  EXPECT_TRUE(list(does_not, 0).empty());
+  EXPECT_FALSE(does_not.has(0));
 }
 
 TEST(FanLists, LeaveOutWhatIsNotWanted) {
@@ -71,6 +61,7 @@ TEST(FanLists, LeaveOutWhatIsNotWanted) {
   const int vertices = ball.vertex_count();
   fans.build(ball.faces, vertices, Parallel(1), [](int v) { return v != 3; });
   EXPECT_TRUE(list(fans, 3).empty());
+  EXPECT_FALSE(fans.has(3));
   EXPECT_EQ(list(fans, 4), list(fans_of(ball.faces, vertices), 4));
   EXPECT_FALSE(list(fans, 4).empty());
 }
@@ -83,6 +74,32 @@ TEST(FanLists, AreTheSameForAnyNumberOfThreads) {
     const FanLists many = fans_of(ball.faces, vertices, threads);
     for (int v = 0; v < vertices; ++v) ASSERT_EQ(list(many, v), list(one, v));
   }
+}
+
+// --- whether the faces are one fan ---------------------------------------------------------------
+
+bool is_closed(const std::vector<Face>& faces, int vertices, int v) {
+  Shape shape;
+  for (int i = 0; i < vertices; ++i) shape.vertices.emplace_back(i, i * i, 0.3 * i * i * i);
+  shape.faces = faces;
+  return is_closed_fan(working_mesh(shape), v);
+}
+
+TEST(ClosedFan, IsADiskOfFacesThatAreOrientedAlike) {
+  EXPECT_TRUE(is_closed(disk(5), 6, 0));
+  EXPECT_FALSE(is_closed(disk(5), 6, 1)) << "a vertex of the border";
+  std::vector<Face> turned = disk(5);
+  std::swap(turned[2][1], turned[2][2]);
+  EXPECT_FALSE(is_closed(turned, 6, 0));
+  std::vector<Face> two = disk(3);
+  for (const Face& face : {Face{0, 4, 5}, Face{0, 5, 6}, Face{0, 6, 4}}) two.push_back(face);
+  EXPECT_FALSE(is_closed(two, 7, 0)) << "two fans";
+}
+
+TEST(ClosedFan, IsNoHub) {
+  constexpr int hub = TriangleConnectivity::hub;
+  EXPECT_TRUE(is_closed(disk(hub), hub + 1, 0));
+  EXPECT_FALSE(is_closed(disk(hub + 1), hub + 2, 0));
 }
 
 }  // namespace

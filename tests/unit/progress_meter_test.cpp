@@ -104,5 +104,17 @@ TEST(Parallel, IsCancelledInOrder) {
   EXPECT_EQ(visited, 20);
 }
 
+TEST(ProgressMeter, AsksNoMoreOnceItHasFallenSilent) {
+  int asked = 0;
+  ProgressMeter meter([&](int, const char*) {
+    ++asked;
+    return false;
+  });
+  EXPECT_THROW(meter.ask(), CancelRequest);
+  meter.fall_silent();
+  meter.in_loop(0.5);
+  EXPECT_EQ(asked, 1);
+}
+
 }  // namespace
 }  // namespace curvdecim::test

@@ -9,6 +9,7 @@
 #include "vcg_ext/collapse/collapse_observer.h"
 #include "vcg_ext/geometry/blend.h"
 #include "vcg_ext/geometry/closest_point.h"
+#include "vcg_ext/parallel/parallel.h"
 
 namespace curvdecim::detail {
 
@@ -39,11 +40,19 @@ struct EdgeStep {
 struct BlendSteps {
   std::vector<BlendStep> over_surface;
   std::vector<EdgeStep> on_edge;
+  std::vector<std::vector<int>> stages;  // ends of runs of steps; those of a stage share no vertex
+
+  int count() const { return static_cast<int>(over_surface.size() + on_edge.size()); }
 
   void append(const BlendSteps& o) {
     over_surface.insert(over_surface.end(), o.over_surface.begin(), o.over_surface.end());
     on_edge.insert(on_edge.end(), o.on_edge.begin(), o.on_edge.end());
   }
+
+  void begin_stage() { stages.emplace_back(); }
+
+  /// What was appended since the stage or the last run began.
+  void end_run() { stages.back().push_back(count()); }
 };
 
 inline BlendStep step_on_edge(int keep, int gone, double t) {
@@ -83,21 +92,19 @@ class BlendRecord : public CollapseObserver {
   /// expected: collapses, to have room for; may be exceeded.
   explicit BlendRecord(bool over_surface = true, std::size_t expected = 0)
       : is_over_surface_(over_surface) {
-    over_surface ? over_surface_.reserve(expected) : on_edge_.reserve(expected);
+    over_surface ? steps_.over_surface.reserve(expected) : steps_.on_edge.reserve(expected);
   }
 
   /// The record of collapses that were done already.
-  explicit BlendRecord(std::vector<BlendStep> steps) : over_surface_(std::move(steps)) {}
+  explicit BlendRecord(std::vector<BlendStep> steps) : steps_{std::move(steps), {}, {}} {}
 
   bool is_over_surface() const { return is_over_surface_; }
 
   /// The first collapses, which no mesh was at hand for, as is_over_surface() says.
-  void begin_with(BlendSteps steps) {
-    over_surface_ = std::move(steps.over_surface), on_edge_ = std::move(steps.on_edge);
-  }
+  void begin_with(BlendSteps steps) { steps_ = std::move(steps); }
 
   void make_room(int count) override {
-    is_over_surface_ ? over_surface_.resize(count) : on_edge_.resize(count);
+    is_over_surface_ ? steps_.over_surface.resize(count) : steps_.on_edge.resize(count);
   }
 
   void before(const WorkingMesh& mesh, const EdgeNeighborhood& around, const VertexMerge& merge,
@@ -105,10 +112,10 @@ class BlendRecord : public CollapseObserver {
     if (merge.now == merge.keep_was) return;
     const int keep = mesh.vertex_origin[merge.keep];
     if (!is_over_surface_) {
-      on_edge_[number] = {keep, mesh.vertex_origin[merge.gone], float(merge.t)};
+      steps_.on_edge[number] = {keep, mesh.vertex_origin[merge.gone], float(merge.t)};
       return;
     }
-    BlendStep& step = over_surface_[number];
+    BlendStep& step = steps_.over_surface[number];
     step = nearest_on_surface(mesh, around, merge);
     step.keep = keep;
     for (int& v : step.from) v = mesh.vertex_origin[v];
@@ -117,23 +124,39 @@ class BlendRecord : public CollapseObserver {
   void copied(const WorkingMesh& mesh, int v, int source, int number) override {
     const int to = mesh.vertex_origin[v], from = mesh.vertex_origin[source];
     if (is_over_surface_)
-      over_surface_[number] = step_on_edge(to, from, 1.0);
+      steps_.over_surface[number] = step_on_edge(to, from, 1.0);
     else
-      on_edge_[number] = {to, from, 1.0f};
+      steps_.on_edge[number] = {to, from, 1.0f};
   }
 
   void renumber(const Renumbering&) override {}
 
-  /// use(BlendStep), in the order of the collapses.
+  /// use(BlendStep), in the order of the collapses, or at the same time for such that have no
+  /// vertex in common.
   template <class Use>
-  void for_each(Use use) const {
-    for (const BlendStep& step : over_surface_)
-      if (step.keep != BlendStep::none) use(step);
-    for (const EdgeStep& step : on_edge_)
-      if (step.keep != BlendStep::none) use(step_on_edge(step.keep, step.gone, step.t));
+  void for_each(const Parallel& parallel, Use use) const {
+    int begin = 0;
+    for (const std::vector<int>& ends : steps_.stages) {
+      const auto replay_run = [&](int i) { replay(i == 0 ? begin : ends[i - 1], ends[i], use); };
+      parallel.for_each(static_cast<int>(ends.size()), replay_run, Grain{1, runs_at_once});
+      if (!ends.empty()) begin = ends.back();
+    }
+    replay(begin, steps_.count(), use);
   }
 
  private:
+  static constexpr int runs_at_once = 1024;  // between two looks at whether to go on
+
+  template <class Use>
+  void replay(int begin, int end, Use& use) const {
+    for (int i = begin; i < end; ++i)
+      if (is_over_surface_) {
+        if (steps_.over_surface[i].keep != BlendStep::none) use(steps_.over_surface[i]);
+      } else if (const auto [keep, gone, t] = steps_.on_edge[i]; keep != BlendStep::none) {
+        use(step_on_edge(keep, gone, t));
+      }
+  }
+
   static BlendStep nearest_on_surface(const WorkingMesh& mesh, const EdgeNeighborhood& around,
                                       const VertexMerge& merge) {
     NearestStep nearest(merge.now, step_on_edge(merge.keep, merge.gone, merge.t));
@@ -144,8 +167,7 @@ class BlendRecord : public CollapseObserver {
   }
 
   bool is_over_surface_ = true;
-  std::vector<BlendStep> over_surface_;  // by collapse, one of the two
-  std::vector<EdgeStep> on_edge_;
+  BlendSteps steps_;  // by collapse
 };
 
 /// A step's `keep` takes the blend of `from`, which may be the same values.

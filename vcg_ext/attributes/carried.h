@@ -37,10 +37,11 @@ struct Carried {
     return wedges ? RemovalObservers{&*wedges} : RemovalObservers{};
   }
 
-  /// use(BlendStep), in the order of the collapses.
+  /// use(BlendStep), in the order of the collapses, or at the same time for such that have no
+  /// vertex in common.
   template <class Use>
-  void for_each_step(Use use) const {
-    copies ? copies->for_each(use) : blended.for_each(use);
+  void for_each_step(const Parallel& parallel, Use use) const {
+    copies ? copies->for_each(use) : blended.for_each(parallel, use);
   }
 
   // --- what faces do not agree about ------------------------------------------------------------

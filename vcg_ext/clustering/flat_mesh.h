@@ -8,6 +8,7 @@
 #include "vcg_ext/geometry/triangle.h"
 #include "vcg_ext/geometry/unit_box.h"
 #include "vcg_ext/mesh/triangle_connectivity.h"
+#include "vcg_ext/parallel/pieces.h"
 
 namespace curvdecim::detail {
 
@@ -37,13 +38,13 @@ enum class VertexRole : std::uint8_t {
 struct FlatMesh {
   static constexpr Face no_face = {-1, -1, -1};
 
-  std::vector<Vector3> position;  // by vertex, in the unit box; set where it is in use
-  std::vector<VertexRole> role;   // by vertex
-  std::vector<Face> faces;        // by face; no_face: it is deleted or must stay
-  std::vector<Face> staying;      // the living faces that must stay
-  int face_count = 0;             // of those that may change
-  UnitBox box;                    // of the vertices in use
-  Vector3 half_size;              // of their bounding box, in the unit box
+  std::vector<Vector3> position;        // by vertex, in the unit box; set where it is in use
+  std::vector<VertexRole> role;         // by vertex
+  std::vector<Face> faces;              // by face; no_face: it is deleted or must stay
+  std::vector<Face> staying;            // the living faces that must stay
+  int face_count = 0;                   // of those that may change
+  UnitBox box;                          // of the vertices in use
+  Vector3 half_size = Vector3::Zero();  // of their bounding box, in the unit box
 
   static bool is_face(const Face& face) { return face[0] >= 0; }
 
@@ -51,11 +52,9 @@ struct FlatMesh {
 };
 
 /// The vertices that faces use which may change, ascending.
-inline std::vector<int> vertices_in_use(const FlatMesh& flat) {
-  std::vector<int> vertices;
-  for (std::size_t v = 0; v < flat.role.size(); ++v)
-    if (flat.role[v] != VertexRole::Unused) vertices.push_back(static_cast<int>(v));
-  return vertices;
+inline std::vector<int> vertices_in_use(const FlatMesh& flat, const Parallel& parallel) {
+  return indices_where(static_cast<int>(flat.role.size()), parallel,
+                       [&](int v) { return flat.role[v] != VertexRole::Unused; });
 }
 
 }  // namespace curvdecim::detail

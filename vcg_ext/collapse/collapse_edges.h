@@ -19,9 +19,9 @@ namespace curvdecim::detail {
 /// metric: initialized; MetricType: metric/metric.h. next_number: of the first collapse. Throws
 /// CancelRequest, and InputError where there are too many pairs.
 template <class MetricType>
-Tally collapse_edges(WorkingMesh& mesh, MetricType& metric, const CollapsePlan& plan,
-                     CollapseObservers observers, int next_number, const Parallel& parallel) {
-  Tally tally;
+void collapse_edges(WorkingMesh& mesh, MetricType& metric, const CollapsePlan& plan,
+                    CollapseObservers observers, int next_number, const Parallel& parallel,
+                    Tally& tally) {
   CollapseOperator<MetricType> collapses(mesh, metric, plan.limits, {mesh, plan.cost_unit},
                                          std::move(observers));
   HubRests<MetricType> rests(mesh, collapses);
@@ -33,7 +33,6 @@ Tally collapse_edges(WorkingMesh& mesh, MetricType& metric, const CollapsePlan& 
   StrictSchedule(mesh, collapses, rests, plan.stop, plan.schedule.eager, next_number)
       .run(parallel, tally);
   assert((mesh.connectivity.validate(), true));
-  return tally;
 }
 
 }  // namespace curvdecim::detail

@@ -49,6 +49,7 @@ class StrictSchedule {
 
   /// Collapses until the target is reached or nothing is left. Throws CancelRequest.
   void run(const Parallel& parallel, Tally& tally) {
+    if (stop_.reached(mesh_.connectivity)) return tally.end(StopReason::Target);
     StopReason reason;
     int before;
     do {  // a refused edge may have become possible since: ask once more before giving up

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 #include "vcg_ext/curvature/vertex_curvature.h"
@@ -23,24 +24,24 @@ struct CurvatureField {
 
   /// The least value in the most curved part of the area, in linear time; 0 without vertices.
   double least_of_most_curved(double part) const {
-    std::vector<int> order(value.size());
-    std::iota(order.begin(), order.end(), 0);
-    const auto below = [this](int a, int b) {
-      return value[a] == value[b] ? a < b : value[a] < value[b];
+    std::vector<std::pair<double, double>> order(value.size());  // value and area
+    for (std::size_t v = 0; v < order.size(); ++v) order[v] = {value[v], area[v]};
+    const auto area_of = [](auto begin, auto end) {
+      return std::accumulate(begin, end, 0.0,
+                             [](double sum, const auto& of) { return sum + of.second; });
     };
     auto begin = order.begin(), end = order.end();
-    double left = (1.0 - part) * std::accumulate(area.begin(), area.end(), 0.0);
+    double left = (1.0 - part) * area_of(begin, end);
     while (end - begin > 1) {
       const auto middle = begin + (end - begin) / 2;
-      std::nth_element(begin, middle, end, below);
-      const double lower =
-          std::accumulate(begin, middle, 0.0, [this](double sum, int v) { return sum + area[v]; });
+      std::nth_element(begin, middle, end);
+      const double lower = area_of(begin, middle);
       if (left < lower)
         end = middle;
       else
         begin = middle, left -= lower;
     }
-    return order.empty() ? 0.0 : value[*begin];
+    return order.empty() ? 0.0 : begin->first;
   }
 };
 

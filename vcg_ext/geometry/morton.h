@@ -17,6 +17,8 @@ inline std::uint64_t spread_bits(std::uint64_t x) {
   return (x | x << 2) & 0x1249249249249249;
 }
 
+inline constexpr int morton_bits = 63;  ///< of a code
+
 /// Place on the Z-order curve of a point with coordinates from -0.5 to 0.5: what is near in space
 /// is near on the curve.
 inline std::uint64_t morton_code(const Vector3& p) {

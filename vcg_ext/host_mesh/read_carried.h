@@ -40,30 +40,32 @@ inline bool has_seams(const WorkingMesh& mesh, const WedgeTexture& wedges) {
 
 /// True if a vertex attribute other than the normal differs among these vertices of the vcg mesh.
 template <class MeshType>
-bool has_varying_attributes(const MeshType& mesh, const std::vector<int>& vertices) {
+bool has_varying_attributes(const MeshType& mesh, const std::vector<int>& vertices,
+                            const Parallel& parallel) {
   const auto& first = mesh.vert[vertices[0]];
   const auto differs = [&](int i) {
-    const auto& v = mesh.vert[i];
+    const auto& v = mesh.vert[vertices[i]];
     return (vcg::tri::HasPerVertexColor(mesh) && v.cC() != first.cC()) ||
            (vcg::tri::HasPerVertexQuality(mesh) && v.cQ() != first.cQ()) ||
            (vcg::tri::HasPerVertexRadius(mesh) && v.cR() != first.cR()) ||
            (vcg::tri::HasPerVertexTexCoord(mesh) && !(v.cT() == first.cT()));
   };
-  return std::any_of(vertices.begin(), vertices.end(), differs);
+  return any_where(static_cast<int>(vertices.size()), parallel, differs);
 }
 
 template <class MeshType>
-void note_faux_edges(const MeshType& mesh, DecimationReport& report) {
-  const auto is_marked = [](const auto& face) { return !face.IsD() && face.IsAnyF(); };
-  if (std::any_of(mesh.face.begin(), mesh.face.end(), is_marked))
+void note_faux_edges(const MeshType& mesh, const Parallel& parallel, DecimationReport& report) {
+  const auto is_marked = [&](int f) { return !mesh.face[f].IsD() && mesh.face[f].IsAnyF(); };
+  if (any_where(static_cast<int>(mesh.face.size()), parallel, is_marked))
     report.notes.push_back(
         "Marks of edges inside polygons (faux edges) are dropped where faces change.");
 }
 
 /// Names what is not carried in full, apart from seams.
 template <class MeshType>
-void note_dropped_attributes(const MeshType& mesh, DecimationReport& report) {
-  note_faux_edges(mesh, report);
+void note_dropped_attributes(const MeshType& mesh, const Parallel& parallel,
+                             DecimationReport& report) {
+  note_faux_edges(mesh, parallel, report);
   if (!mesh.vert_attr.empty())
     report.notes.push_back(
         "Custom vertex attributes stay with the vertices that remain; they are not interpolated.");
@@ -88,7 +90,7 @@ inline std::size_t expected_collapses(const WorkingMesh& mesh, const StopCriteri
 /// the user should know of both.
 template <class MeshType>
 Carried read_carried(const MeshType& mesh, WorkingCopy& copy, bool quality_weight,
-                     const CollapsePlan& plan, DecimationReport& report) {
+                     const CollapsePlan& plan, const Parallel& parallel, DecimationReport& report) {
   weigh_by_quality(mesh, quality_weight, copy, report);
   note_repairs(copy.mesh, copy.unusable.size(), plan.limits.keeps_topology, report);
   Carried carried;
@@ -96,24 +98,24 @@ Carried read_carried(const MeshType& mesh, WorkingCopy& copy, bool quality_weigh
   note_borders(copy.borders_joined, carried.copies.has_value(), report);
   if (plan.pair_distance == 0.0) note_open_seams(copy.mesh, copy.vertex_of, report);
   if (!carried.copies)
-    carried.blended = BlendRecord(has_varying_attributes(mesh, copy.vertex_of),
+    carried.blended = BlendRecord(has_varying_attributes(mesh, copy.vertex_of, parallel),
                                   expected_collapses(copy.mesh, plan.stop));
   carried.wedges = read_wedges(mesh, copy);
   if (carried.wedges && has_seams(copy.mesh, *carried.wedges)) note_seams(report);
-  note_dropped_attributes(mesh, report);
+  note_dropped_attributes(mesh, parallel, report);
   return carried;
 }
 
 /// The same for removals of vertices: those that stay keep all that they carry.
 template <class MeshType>
 Carried read_carried(const MeshType& mesh, WorkingCopy& copy, bool quality_weight,
-                     DecimationReport& report) {
+                     const Parallel& parallel, DecimationReport& report) {
   weigh_by_quality(mesh, quality_weight, copy, report);
   note_repairs(copy.mesh, copy.unusable.size(), true, report);
   note_open_seams(copy.mesh, copy.vertex_of, report);
   Carried carried;
   carried.wedges = read_wedges(mesh, copy);
-  note_faux_edges(mesh, report);
+  note_faux_edges(mesh, parallel, report);
   return carried;
 }
 

@@ -28,8 +28,8 @@ inline std::vector<double> scattered(const std::vector<int>& vertices,
 /// use: what asks for the quality.
 template <class MeshType>
 std::vector<double> quality_weights(const MeshType& mesh, const FlatMesh& flat, const char* use,
-                                    DecimationReport& report) {
-  const std::vector<int> vertices = vertices_in_use(flat);
+                                    const Parallel& parallel, DecimationReport& report) {
+  const std::vector<int> vertices = vertices_in_use(flat, parallel);
   const std::vector<double> values = importance_from_quality(mesh, vertices);
   if (values.empty()) note_no_quality(use, report);
   return scattered(vertices, values, mesh.vert.size());
@@ -57,10 +57,11 @@ ClusteringWeights read_weights(const MeshType& mesh, const FlatMesh& flat, bool 
                                const ClusteringPlan& plan, const Run& run) {
   ClusteringWeights weights;
   if (quality_weight && plan.representative == Representative::Quadric)
-    weights.importance = quality_weights(mesh, flat, "The weight by quality", run.report);
+    weights.importance =
+        quality_weights(mesh, flat, "The weight by quality", run.parallel, run.report);
   if (plan.representative != Representative::WeightedMean) return weights;
   weights.mean = plan.mean_weight == MeanWeight::Quality
-                     ? quality_weights(mesh, flat, "The mean by quality", run.report)
+                     ? quality_weights(mesh, flat, "The mean by quality", run.parallel, run.report)
                      : surface_weights(mesh, plan.mean_weight, run.parallel);
   return weights;
 }
@@ -71,7 +72,7 @@ CellBlend cell_blend(const MeshType& mesh, const FlatMesh& flat, const Clusterin
                      Representative representative, const ClusteringWeights& weights,
                      const Parallel& parallel) {
   const auto& [clusters, representatives] = clustering;
-  const bool vary = has_varying_attributes(mesh, vertices_in_use(flat));
+  const bool vary = has_varying_attributes(mesh, vertices_in_use(flat, parallel), parallel);
   if (!vary && !vcg::tri::HasPerVertexNormal(mesh))
     return CellBlend::of_vertices(representatives.vertex);
   switch (representative) {
@@ -103,7 +104,7 @@ template <class MeshType, class Run>
 CarriedByCells read_carried(const MeshType& mesh, const FlatMesh& flat,
                             const Clustering& clustering, const ClusteringPlan& plan,
                             const ClusteringWeights& weights, const Run& run) {
-  note_dropped_attributes(mesh, run.report);
+  note_dropped_attributes(mesh, run.parallel, run.report);
   return {cell_blend(mesh, flat, clustering, plan.representative, weights, run.parallel),
           cell_wedges(mesh, flat, clustering, run.parallel, run.report)};
 }

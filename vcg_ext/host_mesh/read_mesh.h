@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -11,6 +10,9 @@
 #include "vcg_ext/host_mesh/join_borders.h"
 #include "vcg_ext/host_mesh/read_flat.h"
 #include "vcg_ext/host_mesh/working_copy.h"
+#include "vcg_ext/parallel/bucket_places.h"
+#include "vcg_ext/parallel/pieces.h"
+#include "vcg_ext/parallel/radix_sort.h"
 #include "vcg_ext/run/plan_reading.h"
 #include "vcg_ext/run/target.h"
 
@@ -26,52 +28,46 @@ class WorkingCopyReader {
   /// Throws InputError where there is nothing to decimate or a face uses a vertex that it cannot.
   WorkingCopy read() {
     ProgressMeter& progress = parallel_.progress();  // parts of the time of the preparation
-    progress.along(0.0, 0.2, [&] { number_vertices(read_faces()); });
+    progress.along(0.0, 0.2, [&] {
+      flat_ = read_flat(mesh_, false, parallel_, DegenerateFaces::AreLeftOut);
+      copy_.box = flat_.box;
+      copy_.unusable = indices_where(face_slots(), parallel_, [&](int f) {
+        return FlatMesh::is_face(flat_.faces[f]) && is_degenerate(flat_.faces[f]);
+      });
+      number_vertices();
+    });
     progress.along(0.2, 0.35, [&] { order_faces(); });
     progress.along(0.35, 0.45, [&] { finish(); });
     return std::move(copy_);
   }
 
  private:
-  /// The vertices that they use come with them.
-  FlatMesh read_faces() {
-    FlatMesh flat = read_flat(mesh_, false, parallel_, DegenerateFaces::AreLeftOut);
-    copy_.box = flat.box;
-    copy_.vertex_of = vertices_in_use(flat);
-    copy_.vertices_read = static_cast<int>(copy_.vertex_of.size());
-    faces_.swap(flat.faces);
-    face_of_.reserve(flat.face_count);
-    for (std::size_t f = 0; f < faces_.size(); ++f) {
-      const Face face = faces_[f];
-      if (!FlatMesh::is_face(face)) continue;
-      const bool usable = !is_degenerate(face);
-      if (usable) faces_[face_of_.size()] = face;
-      (usable ? face_of_ : copy_.unusable).push_back(static_cast<int>(f));
-    }
-    faces_.resize(face_of_.size());
-    return flat;
+  int face_slots() const { return static_cast<int>(flat_.faces.size()); }
+  bool is_usable(int f) const {
+    return FlatMesh::is_face(flat_.faces[f]) && !is_degenerate(flat_.faces[f]);
   }
 
   /// Neighbours in space become neighbours in memory: the collapses jump about in the mesh, but
   /// each touches a small region only.
-  void number_vertices(const FlatMesh& flat) {
-    const int count = static_cast<int>(copy_.vertex_of.size());
-    std::vector<std::pair<std::uint64_t, int>> order(count);
+  void number_vertices() {
+    const std::vector<int> used = vertices_in_use(flat_, parallel_);
+    const int count = copy_.vertices_read = static_cast<int>(used.size());
+    std::vector<Keyed> order(count);
     parallel_.for_each(count, [&](int i) {
-      const int v = copy_.vertex_of[i];
-      order[i] = {morton_code(flat.position[v]), v};
+      order[i] = {morton_code(flat_.position[used[i]]), used[i]};
     });
-    parallel_.sort(order.begin(), order.end());
-    copy_.mesh.position.resize(count);
-    std::vector<int> working_of(flat.position.size());
+    radix_sort(order, morton_bits, parallel_);
+    copy_.vertex_of.resize(count), copy_.mesh.position.resize(count);
+    std::vector<int> working_of(flat_.position.size());
     parallel_.for_each(count, [&](int i) {
-      const int v = order[i].second;
+      const int v = order[i].value;
       copy_.vertex_of[i] = v;
       working_of[v] = i;
-      copy_.mesh.position[i] = flat.position[v];
+      copy_.mesh.position[i] = flat_.position[v];
     });
-    parallel_.for_each(static_cast<int>(faces_.size()), [&](int f) {
-      for (int& v : faces_[f]) v = working_of[v];
+    parallel_.for_each(face_slots(), [&](int f) {
+      if (is_usable(f))
+        for (int& v : flat_.faces[f]) v = working_of[v];
     });
   }
 
@@ -79,46 +75,47 @@ class WorkingCopyReader {
   using FaceKey = std::array<int, 4>;
 
   FaceKey key_of(int f) const {
-    const auto [a, b, c] = faces_[f];
+    const auto [a, b, c] = flat_.faces[f];
     const int least = std::min({a, b, c}), largest = std::max({a, b, c});
     return {least, a ^ b ^ c ^ least ^ largest, largest, f};
   }
 
-  /// Faces by their vertices: buckets by the least one, sorted inside.
+  /// The usable faces by their vertices: buckets by the least one, sorted inside.
   std::vector<FaceKey> ordered_keys() const {
-    const int vertices = static_cast<int>(copy_.vertex_of.size());
-    std::vector<int> begin(vertices + 1, 0);
-    for (const Face& face : faces_) ++begin[std::min({face[0], face[1], face[2]}) + 1];
-    for (int v = 0; v < vertices; ++v) begin[v + 1] += begin[v];
-    std::vector<FaceKey> keys(faces_.size());
-    std::vector<int> end(begin.begin(), begin.end() - 1);
-    for (std::size_t f = 0; f < faces_.size(); ++f) {
-      const FaceKey key = key_of(static_cast<int>(f));
-      keys[end[key[0]]++] = key;
-    }
-    parallel_.for_each(
-        vertices, [&](int v) { std::sort(keys.begin() + begin[v], keys.begin() + begin[v + 1]); });
+    const int vertices = copy_.vertices_read;
+    const auto least = [&](int f) {
+      const auto [a, b, c] = flat_.faces[f];
+      return std::min({a, b, c});
+    };
+    BucketPlaces places;
+    places.count(face_slots(), vertices, parallel_, [&](int f, auto count_in) {
+      if (is_usable(f)) count_in(least(f));
+    });
+    std::vector<FaceKey> keys(places.begin().back());
+    places.fill(parallel_, [&](int f, auto place_in) {
+      if (is_usable(f)) keys[place_in(least(f))] = key_of(f);
+    });
+    const auto bound = [&](int v) { return keys.begin() + places.begin()[v]; };
+    parallel_.for_each(vertices, [&](int v) { std::sort(bound(v), bound(v + 1)); });
     return keys;
   }
 
   /// By their vertices, too.
   void order_faces() {
-    const std::vector<FaceKey> keys = keys_without_duplicates();
+    const std::vector<FaceKey> keys = keys_without_doubles();
     const int count = static_cast<int>(keys.size());
-    std::vector<Face> faces(count);
-    std::vector<int> face_of(count);
+    faces_.resize(count), face_of_.resize(count);
     parallel_.for_each(count, [&](int i) {
-      faces[i] = faces_[keys[i].back()];
-      face_of[i] = face_of_[keys[i].back()];
+      face_of_[i] = keys[i].back();
+      faces_[i] = flat_.faces[face_of_[i]];
     });
-    faces_.swap(faces);
-    face_of_.swap(face_of);
+    flat_ = {};
   }
 
   /// Same vertices, same orientation.
   bool are_doubles(const FaceKey& a, const FaceKey& b) const {
     if (!std::equal(a.begin(), a.end() - 1, b.begin())) return false;
-    const Face &f = faces_[a.back()], &g = faces_[b.back()];
+    const Face &f = flat_.faces[a.back()], &g = flat_.faces[b.back()];
     const auto after = [&](const Face& face) {
       return face[(std::find(face.begin(), face.end(), a[0]) - face.begin() + 1) % 3];
     };
@@ -127,13 +124,18 @@ class WorkingCopyReader {
 
   /// The faces in order; of doubles the first stays. Two faces back to back on the same three
   /// vertices are none: closed parts that touch have such.
-  std::vector<FaceKey> keys_without_duplicates() {
+  std::vector<FaceKey> keys_without_doubles() {
     std::vector<FaceKey> keys = ordered_keys();
-    std::size_t kept = 1;
-    for (std::size_t i = 1; i < keys.size(); ++i)
-      if (are_doubles(keys[i], keys[kept - 1]) ||
-          (kept > 1 && are_doubles(keys[i], keys[kept - 2])))
-        copy_.unusable.push_back(face_of_[keys[i].back()]);
+    const auto doubles_before = [&](int i, int end) {
+      return (end > 0 && are_doubles(keys[i], keys[end - 1])) ||
+             (end > 1 && are_doubles(keys[i], keys[end - 2]));
+    };
+    const int count = static_cast<int>(keys.size());
+    if (!any_where(count, parallel_, [&](int i) { return doubles_before(i, i); })) return keys;
+    int kept = 0;
+    for (int i = 0; i < count; ++i)
+      if (doubles_before(i, kept))
+        copy_.unusable.push_back(keys[i].back());
       else
         keys[kept++] = keys[i];
     keys.resize(kept);
@@ -154,6 +156,7 @@ class WorkingCopyReader {
 
   const MeshType& mesh_;
   const Parallel& parallel_;
+  FlatMesh flat_;  // its faces are numbered anew
   std::vector<Face> faces_;
   std::vector<int> face_of_;  // by working face: index in the vcg mesh
   WorkingCopy copy_;

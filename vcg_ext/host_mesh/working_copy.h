@@ -33,7 +33,7 @@ struct WorkingCopy {
 /// The faces of a mesh make its adjacency; vertices have the numbers that they start with.
 inline void connect(WorkingMesh& mesh, std::vector<Face> faces, const Parallel& parallel) {
   const int count = static_cast<int>(mesh.position.size());
-  mesh.connectivity = TriangleConnectivity(std::move(faces), count);
+  mesh.connectivity = TriangleConnectivity(std::move(faces), count, parallel);
   mesh.kind = classify_vertices(mesh.connectivity, parallel);
   mesh.vertex_origins = count;
   mesh.vertex_origin.resize(count);

@@ -5,6 +5,8 @@
 #include <vcg/complex/complex.h>
 
 #include <algorithm>
+#include <atomic>
+#include <cstdint>
 #include <type_traits>
 #include <vector>
 
@@ -21,10 +23,12 @@ namespace curvdecim::detail {
 template <class MeshType>
 class WriteBack {
  public:
-  WriteBack(MeshType& mesh, const WorkingCopy& copy, const Carried& carried)
+  WriteBack(MeshType& mesh, const WorkingCopy& copy, const Carried& carried,
+            const Parallel& parallel)
       : mesh_(mesh),
         copy_(copy),
         carried_(carried),
+        parallel_(parallel),
         used_before_(used_vertices()),
         moved_(copy.mesh.position.size(), false),
         place_of_(hosts().size(), none) {}
@@ -136,16 +140,19 @@ class WriteBack {
   }
 
   /// Tells by vertex of the host's mesh whether a face uses it.
-  std::vector<bool> used_vertices() const {
-    std::vector<bool> used(mesh_.vert.size(), false);
-    for (const auto& face : mesh_.face)
-      for (int i = 0; i < 3 && !face.IsD(); ++i) used[vcg::tri::Index(mesh_, face.cV(i))] = true;
-    return used;
+  std::vector<std::uint8_t> used_vertices() const {
+    std::vector<std::atomic<std::uint8_t>> used(mesh_.vert.size());
+    parallel_.for_each(static_cast<int>(mesh_.face.size()), [&](int f) {
+      const auto& face = mesh_.face[f];
+      for (int i = 0; i < 3 && !face.IsD(); ++i)
+        used[vcg::tri::Index(mesh_, face.cV(i))].store(1, std::memory_order_relaxed);
+    });
+    return {used.begin(), used.end()};
   }
 
   /// Deletes vertices that lost their last face, be it by a collapse or by a repair.
   void delete_vertices() {
-    const std::vector<bool> used = used_vertices();
+    const std::vector<std::uint8_t> used = used_vertices();
     for (std::size_t v = 0; v < used_before_.size(); ++v)
       if (used_before_[v] && !used[v])
         vcg::tri::Allocator<MeshType>::DeleteVertex(mesh_, mesh_.vert[v]);
@@ -162,20 +169,22 @@ class WriteBack {
   /// read(vertex) -> Value, write(vertex, Value).
   template <class Value, class Read, class Write>
   void blend(Read read, Write write) {
-    std::vector<Value> values(hosts().size());
-    for (std::size_t c = 0; c < values.size(); ++c) values[c] = read(mesh_.vert[hosts()[c]]);
+    const int count = static_cast<int>(hosts().size());
+    std::vector<Value> values(count);
+    parallel_.for_each(count, [&](int c) { values[c] = read(mesh_.vert[hosts()[c]]); });
     const std::vector<Value> input = carried_.resampled.empty() ? std::vector<Value>() : values;
-    std::vector<bool> changed(values.size(), false);
-    carried_.for_each_step([&](const BlendStep& step) {
-      changed[step.keep] = true;
+    std::vector<std::uint8_t> changed(count, 0);
+    carried_.for_each_step(parallel_, [&](const BlendStep& step) {
+      changed[step.keep] = 1;
       take(step, values, values);
     });
     for (const BlendStep& step : carried_.resampled) {
-      changed[step.keep] = true;
+      changed[step.keep] = 1;
       take(step, input, values);
     }
-    for (std::size_t c = 0; c < values.size(); ++c)
+    parallel_.for_each(count, [&](int c) {
       if (changed[c] && place_of_[c] != none) write(mesh_.vert[place_of_[c]], values[c]);
+    });
   }
 
   void blend_attributes() {
@@ -187,17 +196,19 @@ class WriteBack {
   MeshType& mesh_;
   const WorkingCopy& copy_;
   const Carried& carried_;
-  const std::vector<bool> used_before_;  // by the host's vertex
-  std::vector<bool> moved_;              // by working vertex
-  std::vector<int> place_of_;            // by copy: where in the host's mesh it goes
+  const Parallel& parallel_;
+  const std::vector<std::uint8_t> used_before_;  // by the host's vertex
+  std::vector<bool> moved_;                      // by working vertex
+  std::vector<int> place_of_;                    // by copy: where in the host's mesh it goes
 };
 
 /// Makes the host's mesh what the run made of its working copy.
 template <class MeshType>
-void write_back(MeshType& mesh, WorkingCopy& copy, const Carried& carried,
+void write_back(MeshType& mesh, WorkingCopy& copy, const Carried& carried, const Parallel& parallel,
                 DecimationReport& report) {
+  parallel.progress().fall_silent();
   copy.vertex_of.resize(copy.mesh.vertex_origins, copy.vertex_of[0]);  // any: they are blended
-  WriteBack<MeshType>(mesh, copy, carried).run();
+  WriteBack<MeshType>(mesh, copy, carried, parallel).run();
   report.faces = mesh.fn, report.vertices = mesh.vn;
 }
 

@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "vcg_ext/parallel/bucket_places.h"
+
 namespace curvdecim::detail {
 
 /// Numbers of elements, one after the other in an array that something else owns; valid until that
@@ -46,8 +48,10 @@ class TriangleConnectivity {
   TriangleConnectivity() = default;
 
   /// faces: (F, 3) indices below vertex_count, no index twice in a face.
-  TriangleConnectivity(std::vector<Face> faces, int vertex_count) : faces_(std::move(faces)) {
-    make_lists(vertex_count);
+  TriangleConnectivity(std::vector<Face> faces, int vertex_count,
+                       const Parallel& parallel = Parallel(1))
+      : faces_(std::move(faces)) {
+    make_lists(vertex_count, parallel);
   }
 
   /// Throws std::logic_error, which names the flaw, where faces, lists and counts do not agree;
@@ -229,7 +233,7 @@ class TriangleConnectivity {
       faces_[i] = {new_vertex[a], new_vertex[b], new_vertex[c]};
     }
     faces_.resize(old_face.size());
-    make_lists(vertex_count);
+    make_lists(vertex_count, Parallel(1));
   }
 
   /// More slots: of vertices without a face, and of dead faces.
@@ -251,21 +255,24 @@ class TriangleConnectivity {
   };
 
   /// Makes the lists of the faces as they are; all are alive.
-  void make_lists(int vertex_count) {
-    lists_.assign(vertex_count, {});
+  void make_lists(int vertex_count, const Parallel& parallel) {
+    BucketPlaces places;
+    places.count(face_slots(), vertex_count, parallel, [&](int f, auto count_in) {
+      for (int v : faces_[f]) count_in(v);
+    });
+    const std::vector<int>& begin = places.begin();
+    pool_.reserve(2 * static_cast<std::size_t>(begin.back()));  // lists will move to its end
+    pool_.resize(begin.back());
+    places.fill(parallel, [&](int f, auto place_in) {
+      for (int v : faces_[f]) pool_[place_in(v)] = f;
+    });
+    lists_.resize(vertex_count);
     face_count_ = face_slots(), vertex_count_ = 0;
-    for (const Face& face : faces_)
-      for (int v : face) ++lists_[v].capacity;
-    int end = 0;
-    for (List& list : lists_) {
-      list.begin = end;
-      end += list.capacity;
-      vertex_count_ += list.capacity > 0;
+    for (int v = 0; v < vertex_count; ++v) {
+      const int size = begin[v + 1] - begin[v];
+      lists_[v] = {begin[v], size, size};
+      vertex_count_ += size > 0;
     }
-    pool_.reserve(2 * static_cast<std::size_t>(end));  // lists will move to its end
-    pool_.resize(end);
-    for (int f = 0; f < face_slots(); ++f)
-      for (int v : faces_[f]) append(lists_[v], f);
   }
 
   void append(List& list, int f) { pool_[list.begin + list.size++] = f; }

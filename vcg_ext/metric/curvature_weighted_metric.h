@@ -47,8 +47,9 @@ class CurvatureWeightedMetric {
             static_cast<float>(root(saturation))};
   }
 
-  std::vector<SmallQuadric> take_memory(const Parallel& parallel) {
-    return quadric_.take_memory(parallel);
+  std::vector<SmallQuadric> remember(const Parallel& parallel) {
+    measure(parallel);
+    return quadric_.remember(parallel, roots(parallel));
   }
 
   void resume(const std::vector<SmallQuadric>& memory, const std::vector<PassWeight>& weights,

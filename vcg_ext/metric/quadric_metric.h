@@ -33,10 +33,8 @@ class QuadricMetric {
   void initialize(const Parallel& parallel, std::vector<float> factors = {}) {
     factor_ = std::move(factors);
     sum_.resize(mesh_.position.size());
-    smooth_.assign(mesh_.position.size(), 1);
     ConstraintQuadrics(mesh_, plan_).build(parallel, [&](int v, const Symmetric3& plane) {
       sum_[v].a += plane;
-      smooth_[v] = 0;
     });
     parallel.for_each(static_cast<int>(sum_.size()), [&](int v) {
       const Symmetric3 around = matrix_around(v), input = around + sum_[v].a * factor(v);
@@ -56,15 +54,19 @@ class QuadricMetric {
   /// False at boundary and feature edges of the input, which are held by planes of their own.
   bool is_smooth(int v) const { return smooth_[v] != 0; }
 
-  /// By vertex; resume() has to follow.
-  std::vector<SmallQuadric> take_memory(const Parallel& parallel) {
-    std::vector<SmallQuadric> remembered(sum_.size());
-    parallel.for_each(static_cast<int>(sum_.size()), [&](int v) {
-      Quadric quadric = sum_[v].quadric();
-      quadric.a -= matrix_around(v) + boundary(v);
-      remembered[v] = SmallQuadric(quadric);
+  /// Instead of initialize(): what each vertex remembers of the input. resume() has to follow.
+  std::vector<SmallQuadric> remember(const Parallel& parallel, std::vector<float> factors = {}) {
+    factor_ = std::move(factors);
+    std::vector<SmallQuadric> remembered(mesh_.position.size());
+    smooth_.assign(remembered.size(), 1);
+    ConstraintQuadrics(mesh_, plan_).build(parallel, [&](int v, const Symmetric3& plane) {
+      remembered[v] = SmallQuadric({remembered[v].quadric().a + plane});
+      smooth_[v] = 0;
     });
-    std::vector<Carried>().swap(sum_);  // to assign nothing would keep the memory
+    parallel.for_each(static_cast<int>(remembered.size()), [&](int v) {
+      const Symmetric3 held = remembered[v].quadric().a * factor(v);
+      remembered[v] = SmallQuadric({(matrix_around(v) + held) * memory});
+    });
     return remembered;
   }
 

@@ -37,6 +37,10 @@ class ProgressMeter {
     if (progress_ && !progress_(static_cast<int>(100.0 * at_), stage_)) throw CancelRequest{};
   }
 
+  /// The caller is asked no more: what is its own is about to change, which cannot be stopped half
+  /// way.
+  void fall_silent() { progress_ = nullptr; }
+
   /// Loops in work() move the bar along a stretch of the stage, or of the stretch around it.
   template <class Work>
   void along(double from, double to, Work work) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstddef>
 #include <numeric>
+#include <optional>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -12,28 +12,38 @@
 
 namespace curvdecim::detail {
 
-/// Tells whether passes can compute as a metric does: it has allows_passes(), is_smooth(v),
-/// pass_weight(v), merged(weight, weight), take_memory(parallel) and resume(memory, weights,
-/// parallel).
+/// Tells whether passes can compute as a metric does: it has allows_passes(), remember(parallel),
+/// is_smooth(v), pass_weight(v), merged(weight, weight) and resume(memory, weights, parallel).
 template <class MetricType, class = void>
 struct HasPasses : std::false_type {};
 template <class MetricType>
 struct HasPasses<MetricType, std::void_t<decltype(&MetricType::allows_passes)>> : std::true_type {};
 
-/// The mesh and its metric without what passes do not need; join() has to follow.
+/// Whether the faces around v form a disk and are oriented alike; false for a vertex of very many.
+inline bool is_closed_fan(const WorkingMesh& mesh, int v) {
+  const TriangleConnectivity& connectivity = mesh.connectivity;
+  if (mesh.kind[v] != VertexKind::Interior || connectivity.is_hub(v)) return false;
+  const IndexRange faces = connectivity.faces_of(v);
+  for (const int* f = faces.begin(); f != faces.end(); ++f)
+    for (const int* g = faces.begin(); g != f; ++g)
+      if (connectivity.next_vertex(*f, v) == connectivity.next_vertex(*g, v)) return false;
+  return true;
+}
+
+/// The mesh without what passes do not need, and what its metric, which is new, remembers; join()
+/// has to follow.
 template <class MetricType>
 PassSurface split(WorkingMesh& mesh, MetricType& metric, const Parallel& parallel) {
   const int vertices = mesh.connectivity.vertex_slots(), faces = mesh.connectivity.face_slots();
   PassSurface surface;
-  surface.memory = metric.take_memory(parallel);  // with planes and lists, which can go then
-  std::vector<FacePlane>().swap(mesh.plane);
-  surface.faces = mesh.connectivity.release_faces();
+  surface.memory = metric.remember(parallel);  // with planes and lists, which can go then
   surface.held.resize(vertices), surface.weight.resize(vertices);
   parallel.for_each(vertices, [&](int v) {
-    surface.held[v] =
-        mesh.kind[v] != VertexKind::Interior || mesh.locked[v] || !metric.is_smooth(v);
+    surface.held[v] = !is_closed_fan(mesh, v) || mesh.locked[v] || !metric.is_smooth(v);
     surface.weight[v] = metric.pass_weight(v);
   });
+  std::vector<FacePlane>().swap(mesh.plane);
+  surface.faces = mesh.connectivity.release_faces();
   surface.position = std::exchange(mesh.position, {});
   surface.importance.assign(mesh.importance.begin(), mesh.importance.end());
   surface.vertex_before.resize(vertices), surface.face_before.resize(faces);
@@ -51,28 +61,45 @@ void join(PassSurface surface, WorkingMesh& mesh, MetricType& metric, const Para
   keep_only(surface.vertex_before, parallel, mesh.locked);
   keep_only(surface.vertex_before, parallel, mesh.vertex_origin);
   keep_only(surface.face_before, parallel, mesh.face_origin);
-  mesh.connectivity =
-      TriangleConnectivity(std::move(surface.faces), static_cast<int>(mesh.position.size()));
+  mesh.connectivity = TriangleConnectivity(std::move(surface.faces),
+                                           static_cast<int>(mesh.position.size()), parallel);
   mesh.update_planes(parallel);
   metric.resume(surface.memory, surface.weight, parallel);
 }
 
-/// Collapses edges of the mesh in passes until it has about as many faces as the plan says. Returns
-/// how many steps the record has then. Throws CancelRequest.
+/// Before the first collapse: the surface, where passes come first (by_vertex: what the vertices
+/// carry follows from steps of theirs); otherwise the metric is initialized.
 template <class MetricType>
-int collapse_in_passes(WorkingMesh& mesh, MetricType& metric, const CollapsePlan& plan,
-                       BlendRecord& record, const Parallel& parallel) {
+std::optional<PassSurface> prepare(WorkingMesh& mesh, MetricType& metric, const CollapsePlan& plan,
+                                   bool by_vertex, const Parallel& parallel) {
+  if constexpr (HasPasses<MetricType>::value)
+    if (by_vertex && plan.schedule.passes_goal < mesh.connectivity.face_count() &&
+        metric.allows_passes())
+      return split(mesh, metric, parallel);
+  metric.initialize(parallel);
+  return std::nullopt;
+}
+
+/// Collapses edges of the surface in passes until it has about as many faces as the plan says, and
+/// gives what is left to the mesh. Returns how many steps the record has then. Throws
+/// CancelRequest.
+template <class MetricType>
+int collapse_in_passes(PassSurface surface, WorkingMesh& mesh, MetricType& metric,
+                       const CollapsePlan& plan, BlendRecord& record, const Parallel& parallel,
+                       Tally& tally) {
   if constexpr (!HasPasses<MetricType>::value) {
     return 0;
   } else {
-    if (plan.schedule.passes_goal >= mesh.connectivity.face_count() || !metric.allows_passes())
-      return 0;
-    PassSurface surface = split(mesh, metric, parallel);
-    BlendSteps steps = PassSchedule(surface, metric, plan, parallel).run(record.is_over_surface());
+    BlendSteps steps;
+    {
+      PassSchedule passes(surface, metric, plan, parallel);
+      passes.run(record.is_over_surface(), steps);
+      tally.count_step(passes.largest_cost(), 0.0);
+    }
     join(std::move(surface), mesh, metric, parallel);
-    const std::size_t count = steps.over_surface.size() + steps.on_edge.size();
+    const int count = steps.count();
     record.begin_with(std::move(steps));
-    return static_cast<int>(count);
+    return count;
   }
 }
 

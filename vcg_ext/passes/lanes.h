@@ -15,11 +15,17 @@ namespace curvdecim::detail {
 using Lanes = float __attribute__((vector_size(16)));
 inline constexpr int lane_count = 4;
 
-/// What comparing them gives: 0 where it does not hold.
+/// What comparing them gives, 0 where it does not hold, and four indices.
 using LaneMask = std::int32_t __attribute__((vector_size(16)));
 
 inline Lanes load(const float* from) {
   Lanes lanes;
+  std::memcpy(&lanes, from, sizeof lanes);
+  return lanes;
+}
+
+inline LaneMask load(const int* from) {
+  LaneMask lanes;
   std::memcpy(&lanes, from, sizeof lanes);
   return lanes;
 }
@@ -29,8 +35,31 @@ inline Lanes root(Lanes x) {
   return x;
 }
 
+inline bool any(LaneMask mask) { return (mask[0] | mask[1] | mask[2] | mask[3]) != 0; }
+
 /// In this order.
 inline float sum(Lanes x) { return (x[0] + x[2]) + (x[1] + x[3]); }
+
+/// Of the first three.
+inline float sum3(Lanes x) { return x[0] + x[1] + x[2]; }
+
+/// Lanes of two vectors, those of the second counted from 4 on.
+template <int I, int J, int K, int L>
+Lanes mixed(Lanes a, Lanes b) {
+#ifdef __clang__
+  return __builtin_shufflevector(a, b, I, J, K, L);
+#else
+  return __builtin_shuffle(a, b, LaneMask{I, J, K, L});
+#endif
+}
+
+/// A point in the lanes of one vector: x, y, z, and a number of its own.
+inline Lanes row(const Vector3& p, float w) {
+  return Lanes{static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z()), w};
+}
+
+/// The coordinates one further.
+inline Lanes yzx(Lanes p) { return mixed<1, 2, 0, 3>(p, p); }
 
 /// Three coordinates each.
 struct VectorLanes {
@@ -50,5 +79,24 @@ inline VectorLanes lanes_of(const Vector3& p) {
   const auto all = [](double x) { return Lanes{} + static_cast<float>(x); };
   return {all(p.x()), all(p.y()), all(p.z())};
 }
+
+/// Four rows turned into columns: `at` has the points, `w` the numbers of their own.
+struct Columns {
+  VectorLanes at;
+  Lanes w;
+
+  Columns(Lanes a, Lanes b, Lanes c, Lanes d) {
+    const Lanes ab_xy = mixed<0, 4, 1, 5>(a, b), ab_zw = mixed<2, 6, 3, 7>(a, b);
+    const Lanes cd_xy = mixed<0, 4, 1, 5>(c, d), cd_zw = mixed<2, 6, 3, 7>(c, d);
+    at.x = mixed<0, 1, 4, 5>(ab_xy, cd_xy), at.y = mixed<2, 3, 6, 7>(ab_xy, cd_xy);
+    at.z = mixed<0, 1, 4, 5>(ab_zw, cd_zw), w = mixed<2, 3, 6, 7>(ab_zw, cd_zw);
+  }
+
+  /// row_of(lane)
+  template <class RowOf>
+  static Columns of(RowOf row_of) {
+    return {row_of(0), row_of(1), row_of(2), row_of(3)};
+  }
+};
 
 }  // namespace curvdecim::detail

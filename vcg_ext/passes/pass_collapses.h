@@ -13,12 +13,12 @@
 namespace curvdecim::detail {
 
 /// The collapses of one pass: of the proposed edges those that cost no more than a limit. A vertex
-/// is merged once in a pass, so that the fan of one that was not is its ring, but for neighbours
-/// that are others now.
+/// is merged once in a pass, so that the faces of one that was not are those of before, but for
+/// neighbours that are others now.
 ///
-/// All cores work on blocks of vertices that are numbered in a row, and so lie close together, on
-/// the edges whose fans stay inside; what reaches across blocks comes after these, one by one. The
-/// blocks do not depend on the number of threads.
+/// Vertices that are numbered in a row lie close together. All cores work on blocks of them, on the
+/// edges whose fans stay inside; then on larger blocks, with what reached across, up to the block
+/// of all. The blocks do not depend on the number of threads.
 ///
 /// MetricType: merged(PassWeight, PassWeight).
 template <class MetricType>
@@ -33,60 +33,95 @@ class PassCollapses {
         limits_(limits),
         over_surface_(over_surface),
         into_(surface.vertex_count()),
-        merged_(surface.vertex_count(), 0),
-        blocks_((surface.vertex_count() + block_size - 1) / block_size) {
+        merged_(surface.vertex_count(), 0) {
     std::iota(into_.begin(), into_.end(), 0);
   }
 
   /// Appends what was done to the steps, in an order in which it can be replayed.
-  void run(float limit, const Parallel& parallel, BlendSteps& steps) {
-    const int count = static_cast<int>(blocks_.size());
-    parallel.for_each(
-        count, [&](int b) { collapse_inside(b, limit); }, Grain{1, blocks_at_once});
+  void run(double limit, const Parallel& parallel, BlendSteps& steps) {
+    std::vector<int> left = proposers(parallel);
+    for (int bits = least_bits; !left.empty(); bits += more_bits) {
+      std::vector<Block> blocks = blocks_of(left, bits);
+      const auto collapse_block = [&](int b) { collapse_inside(blocks[b], bits, limit); };
+      parallel.for_each(static_cast<int>(blocks.size()), collapse_block, Grain{1, blocks_at_once});
+      left.clear();
+      steps.begin_stage();
+      for (const Block& block : blocks) {
+        steps.append(block.steps), steps.end_run();
+        left.insert(left.end(), block.across.begin(), block.across.end());
+        largest_cost_ = std::max(largest_cost_, block.largest_cost);
+      }
+    }
+  }
+
+  /// The cheapest ones in order, on one core, until so many are done. Appends them to the steps.
+  void run_in_order(int most, double limit, const Parallel& parallel, BlendSteps& steps) {
+    std::vector<int> order = proposers(parallel);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](int v, int u) { return ranks_.rank(v) < ranks_.rank(u); });
+    steps.begin_stage();
     FanCollapse collapse(surface_, fans_, limits_);
-    for (const Block& block : blocks_) steps.append(block.steps);
-    for (const Block& block : blocks_)
-      for (int v : block.across) attempt(v, limit, collapse, steps);
+    for (auto v = order.begin(); v != order.end() && most > 0; ++v)
+      most -= attempt(*v, limit, collapse, steps, largest_cost_);
+    steps.end_run();
   }
 
   /// By vertex: the one that it has become, or itself.
   const std::vector<int>& into() const { return into_; }
 
+  double largest_cost() const { return largest_cost_; }
+
  private:
-  static constexpr int block_size = 4096;     // vertices: in a large one few edges reach across
-  static constexpr int blocks_at_once = 128;  // between two looks at whether to go on
+  static constexpr int least_bits = 12, more_bits = 2;  // of the numbers in a block
+  static constexpr int blocks_at_once = 128;            // between two looks at whether to go on
+  static constexpr int ahead = 8;                       // looks: about as long as memory takes
 
   struct Block {
-    std::vector<int> across;  // proposers of edges that reach out of it
+    std::vector<int> proposers;
+    std::vector<int> across;  // of these, proposers of edges that reach out of it
     BlendSteps steps;
+    double largest_cost = 0.0;
   };
 
-  void collapse_inside(int b, float limit) {
+  std::vector<int> proposers(const Parallel& parallel) const {
+    return indices_where(ranks_.count(), parallel,
+                         [&](int v) { return ranks_.partner(v) != PassRanks::none; });
+  }
+
+  /// The proposers, ascending, by their numbers without the lowest bits.
+  static std::vector<Block> blocks_of(const std::vector<int>& proposers, int bits) {
+    std::vector<Block> blocks;
+    for (auto first = proposers.begin(); first != proposers.end();) {
+      const auto last = std::upper_bound(first, proposers.end(), *first | ((1 << bits) - 1));
+      blocks.emplace_back();
+      blocks.back().proposers.assign(first, last);
+      first = last;
+    }
+    return blocks;
+  }
+
+  void collapse_inside(Block& block, int bits, double limit) {
     FanCollapse collapse(surface_, fans_, limits_);
-    Block& block = blocks_[b];
-    const int end = std::min(surface_.vertex_count(), (b + 1) * block_size);
-    for (int v = b * block_size; v < end; ++v) {
-      const int u = ranks_.partner(v);
-      if (u == PassRanks::none || ranks_.rank(v) > limit) continue;
-      if (is_inside(v, b) && is_inside(u, b))
-        attempt(v, limit, collapse, block.steps);
+    const int count = static_cast<int>(block.proposers.size());
+    for (int i = 0; i < count; ++i) {
+      const int v = block.proposers[i], later = block.proposers[std::min(i + ahead, count - 1)];
+      collapse.fetch(later), collapse.fetch(ranks_.partner(later));
+      if (ranks_.reach(v) <= bits)
+        attempt(v, limit, collapse, block.steps, block.largest_cost);
       else
         block.across.push_back(v);
     }
   }
 
-  /// v with its fan.
-  bool is_inside(int v, int block) const {
-    const auto in_block = [&](int u) { return u / block_size == block; };
-    const IndexRange fan = fans_.of(v);
-    return in_block(v) && std::all_of(fan.begin(), fan.end(), in_block);
-  }
-
-  void attempt(int v, float limit, FanCollapse& collapse, BlendSteps& steps) {
+  bool attempt(int v, double limit, FanCollapse& collapse, BlendSteps& steps,
+               double& largest_cost) {
     const int u = ranks_.partner(v);
-    if (merged_[v] != 0 || merged_[u] != 0) return;
+    if (merged_[v] != 0 || merged_[u] != 0) return false;
     const auto candidate = collapse.look(v, u, into_, limit);
-    if (candidate) merge(merge_of({v, u}, *candidate, surface_.position), collapse, steps);
+    if (!candidate) return false;
+    merge(merge_of({v, u}, *candidate, surface_.position), collapse, steps);
+    largest_cost = std::max(largest_cost, candidate->cost);
+    return true;
   }
 
   void merge(const VertexMerge& merge, const FanCollapse& collapse, BlendSteps& steps) {
@@ -122,7 +157,7 @@ class PassCollapses {
   const bool over_surface_;           // that the steps go
   std::vector<int> into_;             // by vertex
   std::vector<std::uint8_t> merged_;  // by vertex: 1 if it is part of a collapse of this pass
-  std::vector<Block> blocks_;
+  double largest_cost_ = 0.0;
 };
 
 }  // namespace curvdecim::detail

@@ -10,23 +10,30 @@
 
 #include "vcg_ext/metric/least_cost.h"
 #include "vcg_ext/metric/placement.h"
-#include "vcg_ext/passes/fan_points.h"
+#include "vcg_ext/passes/fan_lists.h"
+#include "vcg_ext/passes/lanes.h"
 #include "vcg_ext/passes/pass_surface.h"
 
 namespace curvdecim::detail {
 
 /// What the edges of a surface cost about, at the start of a pass: each vertex proposes the one to
-/// the neighbour that lies nearest to its planes.
+/// the neighbour that lies nearest to its planes. All in single precision, positions too: what
+/// comes of a rank is looked at again.
 class PassRanks {
  public:
   static constexpr int none = -1;
 
   void measure(const PassSurface& surface, const FanLists& fans, const Parallel& parallel) {
-    const int count = surface.vertex_count();
-    quadric_.resize(count), partner_.resize(count), rank_.resize(count);
-    parallel.for_each(count, [&](int v) { propose(surface, fans, v); });
-    const int groups = (count + lane_count - 1) / lane_count;
-    parallel.for_each(groups, [&](int group) { rank(surface, lane_count * group); });
+    const int vertices = surface.vertex_count(), faces = surface.face_count();
+    point_.resize(vertices), quadric_.resize(vertices);
+    partner_.resize(vertices), rank_.resize(vertices), reach_.resize(vertices);
+    plane_.resize(faces);
+    parallel.for_each(vertices, [&](int v) {
+      point_[v].lanes = row(surface.position[v], surface.weight[v].factor);
+    });
+    parallel.for_each(groups(faces), [&](int group) { measure_planes(surface, group); });
+    parallel.for_each(vertices, [&](int v) { propose(surface, fans, v); });
+    parallel.for_each(groups(vertices), [&](int group) { rank(surface, group); });
   }
 
   /// none: v proposes no edge.
@@ -34,72 +41,115 @@ class PassRanks {
   float rank(int v) const { return rank_[v]; }
   int count() const { return static_cast<int>(rank_.size()); }
 
-  /// A rank that about so many of the proposals do not exceed, and at most this share of them.
-  float limit(int wanted, double share) const {
+  /// The edge that v proposes and the faces at its ends have only vertices whose numbers agree with
+  /// v's but for the lowest bits, so many.
+  int reach(int v) const { return bits_of(reach_[v] | reach_[partner_[v]]); }
+
+  /// Takes the cheapest proposals, so many and at most this share of them, and drops the others. Of
+  /// those that cost the same some are left out evenly. Returns the highest rank.
+  float choose(int wanted, double share) {
     std::vector<int> of_bucket(buckets, 0);
     int proposals = 0;
     for (int v = 0; v < count(); ++v)
       if (partner_[v] != none) ++of_bucket[bucket(rank_[v])], ++proposals;
     int left = std::min(wanted, static_cast<int>(share * proposals)), last = 0;
     for (; last + 1 < buckets && left > of_bucket[last]; ++last) left -= of_bucket[last];
+    drop_above(last, left, of_bucket[last]);
     return end_of(last);
   }
 
  private:
-  /// Adds the planes of the faces around v to what it remembers.
-  void propose(const PassSurface& surface, const FanLists& fans, int v) {
-    const IndexRange fan = fans.of(v);
-    partner_[v] = none;
-    if (fan.size() == 0) return;
-    FanPoints points(surface.position[v]);
-    for (int u : fan) points.add(surface.position[u], surface.weight[u].factor);
-    points.close();
-    Quadric q = surface.memory[v].quadric();
-    q.a += FanFaces(points, Vector3::Zero(), surface.weight[v].factor).matrix();
-    quadric_[v] = SmallQuadric(q);
-    double least = std::numeric_limits<double>::infinity();
-    for (int i = 0; i < fan.size(); ++i) {
-      const Vector3 step = points.point(i);
-      const double lift = step.dot(q.a * step);
-      if (lift < least && fans.of(fan.first[i]).size() > 0)
-        least = lift, partner_[v] = fan.first[i];
-    }
+  /// Four numbers of a vertex or a face.
+  struct Row {
+    Lanes lanes;
+  };
+
+  static int bits_of(std::uint32_t x) {
+    int bits = 0;
+    for (; x != 0; x >>= 1) ++bits;
+    return bits;
   }
 
-  /// Ranks as many vertices as there are lanes, from `first` on.
-  void rank(const PassSurface& surface, int first) {
+  static int groups(int count) { return (count + lane_count - 1) / lane_count; }
+
+  /// Roots of the faces' matrices: each is the outer product of a vector with itself.
+  void measure_planes(const PassSurface& surface, int group) {
+    constexpr float half_a_third = 0.5f / 3.0f;  // area of a double one, mean of three factors
+    const int first = lane_count * group;
+    const auto face = [&](int lane) -> const Face& {
+      return surface.faces[std::min(first + lane, surface.face_count() - 1)];
+    };
+    const auto corners = [&](int i) {
+      return Columns::of([&](int lane) { return point_[face(lane)[i]].lanes; });
+    };
+    const Columns a = corners(0), b = corners(1), c = corners(2);
+    const VectorLanes n = (b.at - a.at).cross(c.at - a.at);
+    const Lanes length = root(n.squared()), weight = half_a_third * (a.w + b.w + c.w);
+    const VectorLanes m = n * (length > 0.0f ? root(weight / length) : Lanes{});
+    const Columns rows(m.x, m.y, m.z, Lanes{});
+    const std::array<Lanes, lane_count> of_lane = {rows.at.x, rows.at.y, rows.at.z, rows.w};
+    for (int lane = 0; lane < lane_count && first + lane < surface.face_count(); ++lane)
+      plane_[first + lane].lanes = of_lane[lane];
+  }
+
+  /// Adds the planes of the faces around v to what it remembers.
+  void propose(const PassSurface& surface, const FanLists& fans, int v) {
+    partner_[v] = none;
+    const FanLists::Fan fan = fans.of(v);
+    if (fan.size() == 0) return;
+    SmallQuadric& q = quadric_[v] = surface.memory[v];
+    Lanes diagonal = load(&q.xx), others = load(&q.xy);  // with c and bx in the last
+    for (const FanCorner& corner : fan) {
+      const Lanes m = plane_[corner.face].lanes;
+      diagonal += m * m, others += m * yzx(m);
+    }
+    std::memcpy(&q.xx, &diagonal, sizeof diagonal), std::memcpy(&q.xy, &others, sizeof others);
+    float least = std::numeric_limits<float>::infinity();
+    std::uint32_t differences = 0;
+    for (const FanCorner& corner : fan) {
+      differences |= static_cast<std::uint32_t>(corner.next ^ v);
+      const Lanes step = point_[corner.next].lanes - point_[v].lanes;
+      const float lift = sum3(diagonal * (step * step) + 2.0f * others * (step * yzx(step)));
+      if (lift < least && fans.has(corner.next)) least = lift, partner_[v] = corner.next;
+    }
+    reach_[v] = differences;
+  }
+
+  /// Short edges first where nothing else tells them apart.
+  void rank(const PassSurface& surface, int group) {
+    constexpr float tie = 1e-8f;  // to the trace and the squared length
+    const int first = lane_count * group;
     std::array<int, lane_count> v, u;
     for (int lane = 0; lane < lane_count; ++lane) {
       v[lane] = std::min(first + lane, count() - 1);
       u[lane] = partner_[v[lane]] == none ? v[lane] : partner_[v[lane]];
     }
-    const Lanes cost = least_costs(lanes_at(surface, v, v), lanes_at(surface, u, v), scale);
+    const Columns at_v = Columns::of([&](int lane) { return point_[v[lane]].lanes; });
+    const Columns at_u = Columns::of([&](int lane) { return point_[u[lane]].lanes; });
+    const VectorLanes step = at_u.at - at_v.at;
+    const VertexLanes<Lanes> p = lanes_at(v, VectorLanes{}), q = lanes_at(u, step);
+    const Lanes cost = least_costs(p, q, scale);
+    const Lanes trace = p.xx + p.yy + p.zz + q.xx + q.yy + q.zz;
+    const Lanes factor = 0.5f * (at_v.w + at_u.w);
+    const Lanes ranks = factor * ((cost > 0.0f ? cost : Lanes{}) + tie * trace * step.squared());
     for (int lane = 0; lane < lane_count && first + lane < count(); ++lane)
-      rank_[v[lane]] = partner_[v[lane]] == none ? std::numeric_limits<float>::infinity()
-                                                 : weighted(surface, cost[lane], v[lane], u[lane]);
+      rank_[v[lane]] = partner_[v[lane]] == none
+                           ? std::numeric_limits<float>::infinity()
+                           : ranks[lane] * surface.importance_of(v[lane], u[lane]);
   }
 
-  /// Short edges first where nothing else tells them apart.
-  float weighted(const PassSurface& surface, float cost, int a, int b) const {
-    constexpr double tie = 1e-8;  // to the trace and the squared length
-    const double length2 = (surface.position[a] - surface.position[b]).squaredNorm();
-    const double between = tie * (quadric_[a].trace() + quadric_[b].trace()) * length2;
-    return static_cast<float>(surface.weight_of(a, b) * (std::max(0.0f, cost) + between));
-  }
-
-  /// The vertices `which`, about the vertices `origin`.
-  VertexLanes<Lanes> lanes_at(const PassSurface& surface, const std::array<int, lane_count>& which,
-                              const std::array<int, lane_count>& origin) const {
-    VertexLanes<Lanes> lanes;
-    for (int i = 0; i < lane_count; ++i) {
-      const SmallQuadric& q = quadric_[which[i]];
-      const Vector3 at = surface.position[which[i]] - surface.position[origin[i]];
-      lanes.x[i] = float(at.x()), lanes.y[i] = float(at.y()), lanes.z[i] = float(at.z());
-      lanes.xx[i] = q.xx, lanes.xy[i] = q.xy, lanes.xz[i] = q.xz;
-      lanes.yy[i] = q.yy, lanes.yz[i] = q.yz, lanes.zz[i] = q.zz;
-      lanes.bx[i] = q.bx, lanes.by[i] = q.by, lanes.bz[i] = q.bz, lanes.c[i] = q.c;
-    }
-    return lanes;
+  /// The vertices `which`, at `at`.
+  VertexLanes<Lanes> lanes_at(const std::array<int, lane_count>& which,
+                              const VectorLanes& at) const {
+    const auto columns = [&](float SmallQuadric::*first) {
+      return Columns::of([&](int lane) { return load(&(quadric_[which[lane]].*first)); });
+    };
+    const Columns diagonal = columns(&SmallQuadric::xx);
+    const Columns others = columns(&SmallQuadric::xy);
+    const Columns linear = columns(&SmallQuadric::xz);  // the last of the others, and b
+    return {at.x,        at.y,          at.z,        diagonal.at.x, others.at.x,
+            others.at.z, diagonal.at.y, others.at.y, diagonal.at.z, linear.at.y,
+            linear.at.z, linear.w,      diagonal.w};
   }
 
   static constexpr CostScale<float> scale{float(relative_pull), 1e-12f};  // a millionth of the edge
@@ -120,9 +170,24 @@ class PassRanks {
     return end;
   }
 
+  /// In the last bucket `left` of its `all` stay.
+  void drop_above(int last, int left, int all) {
+    std::int64_t due = 0;
+    for (int v = 0; v < count(); ++v) {
+      if (partner_[v] == none) continue;
+      const int its = bucket(rank_[v]);
+      if (its == last) due += left;
+      if (its > last || (its == last && due < all)) partner_[v] = none;
+      if (its == last && due >= all) due -= all;
+    }
+  }
+
+  std::vector<Row> point_;             // by vertex: its position, and the factor on its planes
+  std::vector<Row> plane_;             // by face
   std::vector<SmallQuadric> quadric_;  // by vertex: of its faces and its memory
   std::vector<int> partner_;           // by vertex
   std::vector<float> rank_;            // by vertex
+  std::vector<std::uint32_t> reach_;   // by vertex: bits in which a neighbour's number differs
 };
 
 }  // namespace curvdecim::detail

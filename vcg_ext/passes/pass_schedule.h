@@ -14,10 +14,11 @@ namespace curvdecim::detail {
 /// Collapses edges in passes over flat arrays, on all cores:
 ///
 ///   while the surface has more faces than the goal, and passes are worth while:
-///     fans  <- the neighbours of every vertex, in the order of its faces        (fan_lists.h)
+///     fans  <- the faces around every vertex                                    (fan_lists.h)
 ///     ranks <- every vertex proposes an edge, at about what it costs            (pass_ranks.h)
 ///     limit <- a share of the ranks
-///     collapse what costs no more, as the surface is then, and no guard refuses (fan_collapse.h)
+///     collapse what costs no more, as the surface is then, and no guard refuses (fan_collapse.h),
+///       in the last pass in order
 ///     close the gaps
 ///
 /// Only vertices inside smooth places take part; the others are held. They would have collapsed as
@@ -29,19 +30,21 @@ class PassSchedule {
                const Parallel& parallel)
       : surface_(surface), metric_(metric), plan_(plan), parallel_(parallel) {}
 
-  /// Returns the steps, over the surface or along the edges. Throws CancelRequest.
-  BlendSteps run(bool over_surface) {
+  /// steps: over the surface, or along the edges. Throws CancelRequest.
+  void run(bool over_surface, BlendSteps& steps) {
     bool worth_while = true;
     while (worth_while && faces_to_go() > 0 && is_free_enough()) {
       const int before = surface_.face_count();
       const int expected = std::min(faces_to_go(), static_cast<int>(usual_share * before));
       parallel_.progress().along(plan_.stop.progress(before),
                                  plan_.stop.progress(before - expected),
-                                 [&] { pass(over_surface); });
+                                 [&] { pass(over_surface, steps); });
       worth_while = before - surface_.face_count() > least_share * before;
     }
-    return std::move(steps_);
   }
+
+  /// Of the last pass.
+  double largest_cost() const { return largest_cost_; }
 
  private:
   static constexpr double share = 0.7;         // of the proposals, to be asked about in a pass
@@ -56,7 +59,7 @@ class PassSchedule {
     return static_cast<double>(held) <= most_held * surface_.vertex_count();
   }
 
-  void pass(bool over_surface) {
+  void pass(bool over_surface, BlendSteps& steps) {
     ProgressMeter& progress = parallel_.progress();  // parts of the time of a pass
     progress.along(0.0, 0.25, [&] {
       const auto is_free = [&](int v) { return surface_.held[v] == 0; };
@@ -65,8 +68,14 @@ class PassSchedule {
     progress.along(0.25, 0.6, [&] { ranks_.measure(surface_, fans_, parallel_); });
     progress.along(0.6, 1.0, [&] {
       const int needed = (faces_to_go() + 1) / 2;  // each takes two faces
+      const bool is_last = faces_to_go() <= usual_share * surface_.face_count();
+      const float limit = ranks_.choose(is_last ? surface_.vertex_count() : needed, share);
       PassCollapses collapses(surface_, fans_, ranks_, metric_, plan_.limits.faces, over_surface);
-      collapses.run(ranks_.limit(needed, share), parallel_, steps_);
+      if (is_last)
+        collapses.run_in_order(needed, limit, parallel_, steps);
+      else
+        collapses.run(limit, parallel_, steps);
+      largest_cost_ = collapses.largest_cost();
       surface_.close_gaps(collapses.into(), parallel_);
     });
   }
@@ -77,7 +86,7 @@ class PassSchedule {
   const Parallel& parallel_;
   FanLists fans_;
   PassRanks ranks_;
-  BlendSteps steps_;
+  double largest_cost_ = 0.0;
 };
 
 }  // namespace curvdecim::detail

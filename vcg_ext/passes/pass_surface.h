@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 #include "vcg_ext/geometry/small_quadric.h"
@@ -37,17 +36,19 @@ struct PassSurface {
   int face_count() const { return static_cast<int>(faces.size()); }
 
   /// On the cost of the edge ab.
+  float importance_of(int a, int b) const {
+    return importance.empty() ? 1.0f : importance[a] + importance[b];
+  }
   double weight_of(int a, int b) const {
-    const double factor = 0.5 * (weight[a].factor + weight[b].factor);
-    return importance.empty() ? factor : factor * (importance[a] + importance[b]);
+    return 0.5 * (weight[a].factor + weight[b].factor) * importance_of(a, b);
   }
 
   /// into: by vertex, the one that it has become, or itself. Faces that have become degenerate go,
   /// and so do vertices that are others now.
   void close_gaps(const std::vector<int>& into, const Parallel& parallel) {
     const std::vector<int> stays =
-        kept(vertex_count(), parallel, [&](int v) { return into[v] == v; });
-    const std::vector<int> left = kept(face_count(), parallel, [&](int f) {
+        indices_where(vertex_count(), parallel, [&](int v) { return into[v] == v; });
+    const std::vector<int> left = indices_where(face_count(), parallel, [&](int f) {
       const auto [a, b, c] = faces[f];
       return into[a] != into[b] && into[b] != into[c] && into[c] != into[a];
     });
@@ -61,23 +62,6 @@ struct PassSurface {
     keep_only(stays, parallel, weight), keep_only(stays, parallel, importance);
     keep_only(stays, parallel, held), keep_only(stays, parallel, vertex_before);
     keep_only(left, parallel, faces), keep_only(left, parallel, face_before);
-  }
-
- private:
-  /// Those below count for which stays(i) holds, ascending.
-  template <class Stays>
-  static std::vector<int> kept(int count, const Parallel& parallel, Stays stays) {
-    const int pieces = pieces_of(count, parallel);
-    std::vector<std::vector<int>> of_piece(pieces);
-    for_pieces(count, pieces, parallel, [&](int piece, int begin, int end) {
-      of_piece[piece].reserve(end - begin);
-      for (int i = begin; i < end; ++i)
-        if (stays(i)) of_piece[piece].push_back(i);
-    });
-    std::vector<int> all = std::move(of_piece[0]);
-    for (int piece = 1; piece < pieces; ++piece)
-      all.insert(all.end(), of_piece[piece].begin(), of_piece[piece].end());
-    return all;
   }
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <variant>
 
@@ -31,17 +32,21 @@ inline Schedule schedule_of(Scheduler scheduler, bool keeps_topology) {
   return schedule;
 }
 
-/// At the end of a run single collapses count, and what passes hold has its turn
-/// (docs/decisions/passes.md).
+/// At the end of a run single collapses count, and what passes hold has its turn; the less of it,
+/// the faster (docs/decisions/passes.md).
 inline int passes_goal(const EdgeCollapseParams& params, const StopCriterion& stop) {
-  constexpr double times_target = 2.0, times_target_fast = 1.1, times_target_refined = 4.0;
-  constexpr double least = 10000.0;  // faces: what is smaller takes no time
+  struct Goal {
+    double least;  // faces: on what is smaller single collapses count
+    double times_target;
+  };
+  constexpr Goal fast{1000.0, 1.1}, balanced{10000.0, 2.0}, refined{10000.0, 4.0};
   if (params.scheduler != Scheduler::Rounds && params.scheduler != Scheduler::FewRounds)
     return no_passes;
-  const double times = params.scheduler == Scheduler::FewRounds ? times_target_fast
-                       : params.refine_sweeps > 0               ? times_target_refined
-                                                                : times_target;
-  return static_cast<int>(std::max(least, times * (stop.start - stop.faces_to_go())));
+  const Goal goal = params.scheduler == Scheduler::FewRounds ? fast
+                    : params.refine_sweeps > 0               ? refined
+                                                             : balanced;
+  const double target = stop.start - stop.faces_to_go();
+  return static_cast<int>(std::max(goal.least, goal.times_target * target));
 }
 
 inline QuadricPlan quadric_plan(const DecimationParams& params, const QuadricParams& quadrics,

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "vcg_ext/parallel/bucket_places.h"
+
+namespace curvdecim::detail {
+
+/// Something with a key to be sorted by.
+struct Keyed {
+  std::uint64_t key;
+  int value;
+};
+
+/// Sorts by keys of so many bits, from the lowest digit up, on all cores; equal ones stay in their
+/// order.
+inline void radix_sort(std::vector<Keyed>& items, int key_bits, const Parallel& parallel) {
+  constexpr int digit_bits = 11;  // the counters of a digit fit the first cache
+  constexpr int digits = 1 << digit_bits;
+  const int count = static_cast<int>(items.size());
+  std::vector<Keyed> sorted(items.size());
+  BucketPlaces places;
+  for (int shift = 0; shift < key_bits; shift += digit_bits) {
+    const auto digit = [&](int i) {
+      return static_cast<int>(items[i].key >> shift) & (digits - 1);
+    };
+    places.count(count, digits, parallel, [&](int i, auto count_in) { count_in(digit(i)); });
+    places.fill(parallel, [&](int i, auto place_in) { sorted[place_in(digit(i))] = items[i]; });
+    items.swap(sorted);
+  }
+}
+
+}  // namespace curvdecim::detail
