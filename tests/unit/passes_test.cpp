@@ -312,6 +312,7 @@ class Passes : public testing::Test {
     std::optional<PassSurface> surface = prepare(mesh, metric, plan, true, parallel);
     BlendRecord record(over_surface);
     Tally tally;
+    if (!surface) return {std::move(mesh), {}, tally};
     const int count =
         collapse_in_passes(*std::move(surface), mesh, metric, plan, record, parallel, tally);
     mesh.connectivity.validate();
@@ -402,6 +403,21 @@ TEST_F(Passes, DoNothingWhereMuchIsHeld) {
   const int all = mesh.connectivity.face_count();
   EXPECT_LT(lock(0.1), all);
   EXPECT_EQ(lock(0.2), all);
+}
+
+TEST_F(Passes, LeaveAnInitializedMetricWhereMuchIsHeld) {
+  WorkingMesh mesh = working_mesh(scaled(bumpy_sphere(3), 0.25));
+  std::fill_n(mesh.locked.begin(), mesh.locked.size() / 5, 1);
+  CurvatureWeightedMetric prepared(mesh, {}), initialized(mesh, {});
+  EXPECT_FALSE(prepare(mesh, prepared, to(mesh, 100), true, one_thread).has_value());
+  initialized.initialize(one_thread);
+  for (int f = 0; f < mesh.connectivity.face_slots(); ++f) {
+    const Edge edge{mesh.connectivity.face(f)[0], mesh.connectivity.face(f)[1]};
+    const auto cost = [&](const CurvatureWeightedMetric& metric) {
+      return metric.evaluate(edge, Allowed::Anywhere, Vector3::Zero())->cost;
+    };
+    ASSERT_EQ(cost(prepared), cost(initialized));
+  }
 }
 
 TEST_F(Passes, KeepTheOriginOfFaces) {

@@ -24,7 +24,7 @@ class CurvatureWeightedMetric {
       : mesh_(mesh), plan_(plan), quadric_(mesh, plan.quadrics), current_(mesh) {}
 
   void initialize(const Parallel& parallel) {
-    measure(parallel);
+    if (saturation_.empty()) measure(parallel);  // remember() may have done so
     quadric_.initialize(parallel, weighs_planes() ? roots(parallel) : std::vector<float>());
     if (follows_current()) current_.initialize(parallel);
   }

@@ -31,9 +31,9 @@ inline bool is_closed_fan(const WorkingMesh& mesh, int v) {
 }
 
 /// The mesh without what passes do not need, and what its metric, which is new, remembers; join()
-/// has to follow.
+/// has to follow. nullopt, with the mesh as it was: too much of it is to be held.
 template <class MetricType>
-PassSurface split(WorkingMesh& mesh, MetricType& metric, const Parallel& parallel) {
+std::optional<PassSurface> split(WorkingMesh& mesh, MetricType& metric, const Parallel& parallel) {
   const int vertices = mesh.connectivity.vertex_slots(), faces = mesh.connectivity.face_slots();
   PassSurface surface;
   surface.memory = metric.remember(parallel);  // with planes and lists, which can go then
@@ -42,6 +42,7 @@ PassSurface split(WorkingMesh& mesh, MetricType& metric, const Parallel& paralle
     surface.held[v] = !is_closed_fan(mesh, v) || mesh.locked[v] || !metric.is_smooth(v);
     surface.weight[v] = metric.pass_weight(v);
   });
+  if (!surface.is_mostly_free()) return std::nullopt;
   std::vector<FacePlane>().swap(mesh.plane);
   surface.faces = mesh.connectivity.release_faces();
   surface.position = std::exchange(mesh.position, {});
@@ -75,7 +76,7 @@ std::optional<PassSurface> prepare(WorkingMesh& mesh, MetricType& metric, const 
   if constexpr (HasPasses<MetricType>::value)
     if (by_vertex && plan.schedule.passes_goal < mesh.connectivity.face_count() &&
         metric.allows_passes())
-      return split(mesh, metric, parallel);
+      if (std::optional<PassSurface> surface = split(mesh, metric, parallel)) return surface;
   metric.initialize(parallel);
   return std::nullopt;
 }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -33,7 +32,7 @@ class PassSchedule {
   /// steps: over the surface, or along the edges. Throws CancelRequest.
   void run(bool over_surface, BlendSteps& steps) {
     bool worth_while = true;
-    while (worth_while && faces_to_go() > 0 && is_free_enough()) {
+    while (worth_while && faces_to_go() > 0 && surface_.is_mostly_free()) {
       const int before = surface_.face_count();
       const int expected = std::min(faces_to_go(), static_cast<int>(usual_share * before));
       parallel_.progress().along(plan_.stop.progress(before),
@@ -50,14 +49,8 @@ class PassSchedule {
   static constexpr double share = 0.7;         // of the proposals, to be asked about in a pass
   static constexpr double usual_share = 0.32;  // of the faces, that go then
   static constexpr double least_share = 0.02;  // of the faces: fewer are not worth a pass
-  static constexpr double most_held = 0.15;    // of the vertices
 
   int faces_to_go() const { return surface_.face_count() - plan_.schedule.passes_goal; }
-
-  bool is_free_enough() const {
-    const auto held = std::count(surface_.held.begin(), surface_.held.end(), std::uint8_t{1});
-    return static_cast<double>(held) <= most_held * surface_.vertex_count();
-  }
 
   void pass(bool over_surface, BlendSteps& steps) {
     ProgressMeter& progress = parallel_.progress();  // parts of the time of a pass

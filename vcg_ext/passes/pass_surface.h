@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -34,6 +35,13 @@ struct PassSurface {
 
   int vertex_count() const { return static_cast<int>(position.size()); }
   int face_count() const { return static_cast<int>(faces.size()); }
+
+  /// False where so many are held that they would have had their turn by now.
+  bool is_mostly_free() const {
+    constexpr double most_held = 0.15;  // of the vertices
+    const auto count = std::count(held.begin(), held.end(), std::uint8_t{1});
+    return static_cast<double>(count) <= most_held * static_cast<double>(held.size());
+  }
 
   /// On the cost of the edge ab.
   float importance_of(int a, int b) const {

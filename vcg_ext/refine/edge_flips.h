@@ -34,7 +34,7 @@ class EdgeFlips {
     parallel.for_each(
         static_cast<int>(flips.size()), [&](int i) { match_again(flips[i], near); },
         Parallel::heavy);
-    of_input_.sort_by_face();
+    of_input_.sort_by_face(mesh_.connectivity.face_slots(), parallel);
     return static_cast<int>(flips.size());
   }
 
@@ -191,6 +191,7 @@ class EdgeFlips {
       MeshSamples::OfFace samples;
       of_mesh_.match_face(then.triangle[i], then.plane[i], hint, samples);
       sum += of_mesh_.error(samples, then.plane[i].area);
+      if (sum >= most) return sum;
     }
     return sum;
   }

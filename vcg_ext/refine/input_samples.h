@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "vcg_ext/parallel/parallel.h"
+#include "vcg_ext/parallel/bucket_places.h"
 #include "vcg_ext/refine/face_places.h"
 #include "vcg_ext/refine/input_surface.h"
 #include "vcg_ext/refine/match.h"
@@ -45,7 +45,7 @@ class InputSamples {
     parallel.for_each((count + run_length - 1) / run_length, match_run, Parallel::heavy);
     is_matched_ = true;
     parallel.progress().ask();
-    sort_by_face(mesh_faces);
+    sort_by_face(mesh_faces, parallel);
     parallel.progress().ask();
   }
 
@@ -60,11 +60,20 @@ class InputSamples {
       }
   }
 
-  void sort_by_face() { sort_by_face(static_cast<int>(begin_.size()) - 1); }
+  /// To be called where matches are others now.
+  void sort_by_face(int mesh_faces, const Parallel& parallel) {
+    const int count = static_cast<int>(found_.size());
+    place_by_face_.count(count, mesh_faces, parallel,
+                         [&](int i, auto count_in) { count_in(found_[i].face); });
+    by_face_.resize(count);
+    place_by_face_.fill(parallel,
+                        [&](int i, auto place_in) { by_face_[place_in(found_[i].face)] = i; });
+  }
 
   /// The samples whose nearest point is on face f of the mesh.
   IndexRange of_face(int f) const {
-    return {by_face_.data() + begin_[f], by_face_.data() + begin_[f + 1]};
+    const std::vector<int>& begin = place_by_face_.begin();
+    return {by_face_.data() + begin[f], by_face_.data() + begin[f + 1]};
   }
 
   /// face: of the mesh, the one that sample i is matched with.
@@ -120,16 +129,6 @@ class InputSamples {
     });
   }
 
-  void sort_by_face(int mesh_faces) {
-    begin_.assign(mesh_faces + 1, 0);
-    for (const Found& found : found_) ++begin_[found.face + 1];
-    for (int f = 0; f < mesh_faces; ++f) begin_[f + 1] += begin_[f];
-    by_face_.resize(found_.size());
-    std::vector<int> end(begin_.begin(), begin_.end() - 1);
-    for (std::size_t i = 0; i < found_.size(); ++i)
-      by_face_[end[found_[i].face]++] = static_cast<int>(i);
-  }
-
   const InputSurface& input_;
   const MatchLimits limits_;
   const FacePlaces places_;
@@ -139,7 +138,8 @@ class InputSamples {
   std::vector<float> weight_;        // by sample: the part of the area that it stands for
   std::vector<Found> found_;         // by sample: on the mesh
   bool is_matched_ = false;
-  std::vector<int> begin_, by_face_;  // samples by the face of their match
+  BucketPlaces place_by_face_;  // a bucket a face of the mesh
+  std::vector<int> by_face_;    // samples by the face of their match
 };
 
 }  // namespace curvdecim::detail

@@ -54,6 +54,11 @@ struct MatchLimits {
 /// A weight of a point on a face that is no more is rounding: the point is on the edge across.
 inline constexpr double rounding_weight = 1e-9;
 
+/// True if a point with these weights is on no edge of its face.
+inline bool is_inside(const Barycentric& weight) {
+  return *std::min_element(weight.begin(), weight.end()) > rounding_weight;
+}
+
 /// True if face f touches the point with these weights on `face`: has the corner that it is, or
 /// both ends of the edge that it is on. Inside a face no other does.
 inline bool touches(const TriangleConnectivity& connectivity, int f, const Face& face,
@@ -85,8 +90,9 @@ SurfacePoint walk_to_nearest(const Surface& surface, const Vector3& p, int start
   look_at(surface, start, p, accept, best);
   for (int from = SurfacePoint::none; best.face != from;) {
     from = best.face;
-    const Face& face = surface.connectivity.face(from);
     const Barycentric weight = best.weight;
+    if (is_inside(weight)) break;  // no other face touches it
+    const Face& face = surface.connectivity.face(from);
     for (int f : surface.connectivity.faces_of(touched_corner(surface.connectivity, face, weight)))
       if (f != from && touches(surface.connectivity, f, face, weight))
         look_at(surface, f, p, accept, best);
@@ -100,7 +106,7 @@ template <class Surface>
 bool is_dead_end(const Surface& surface, const SurfacePoint& end, const Vector3& normal) {
   constexpr double least_shape_quality = 1e-6;  // of an area that is more than rounding
   const Face& face = surface.connectivity.face(end.face);
-  if (*std::min_element(end.weight.begin(), end.weight.end()) > rounding_weight) return false;
+  if (is_inside(end.weight)) return false;
   bool is_alone = true;
   for (int f :
        surface.connectivity.faces_of(touched_corner(surface.connectivity, face, end.weight))) {

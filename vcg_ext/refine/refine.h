@@ -128,8 +128,10 @@ class Refinement {
 
   void match(const MatchLimits& limits) {
     of_input_.match(mesh_tree_, face_count(), limits, parallel_);
-    for (int f = 0; f < face_count(); ++f)
-      for (int i : of_input_.of_face(f)) near_[f] = of_input_.input_face(i);
+    parallel_.for_each(face_count(), [&](int f) {
+      const IndexRange samples = of_input_.of_face(f);
+      if (samples.size() > 0) near_[f] = of_input_.input_face(*(samples.end() - 1));
+    });
     of_mesh_.match(mesh_, near_, limits, parallel_);
     of_border_.match(parallel_);
   }
