@@ -267,6 +267,18 @@ TEST_F(Ranks, TellHowFarAnEdgeReaches) {
 
 // --- the surface ---------------------------------------------------------------------------------
 
+TEST(PassSurface, KeepsWhatIsLeftOfAnArray) {
+  for (int threads : {1, 2, 5})
+    for (int every : {1, 2, 3, 5000}) {
+      std::vector<int> array(5000), left, empty;
+      std::iota(array.begin(), array.end(), 0);
+      for (int i = every - 1; i < 5000; i += every) left.push_back(i);
+      keep_only(left, Parallel(threads), array), keep_only(left, Parallel(threads), empty);
+      EXPECT_EQ(array, left);
+      EXPECT_TRUE(empty.empty());
+    }
+}
+
 TEST(PassSurface, ClosesGapsInOrder) {
   const Shape grid = plane_grid(4);
   for (int threads : {1, 3}) {

@@ -100,8 +100,9 @@ class BlendRecord : public CollapseObserver {
 
   bool is_over_surface() const { return is_over_surface_; }
 
-  /// The first collapses, which no mesh was at hand for, as is_over_surface() says.
-  void begin_with(BlendSteps steps) { steps_ = std::move(steps); }
+  /// For the first collapses, which no mesh is at hand for: to be appended as is_over_surface()
+  /// says.
+  BlendSteps& first_steps() { return steps_; }
 
   void make_room(int count) override {
     is_over_surface_ ? steps_.over_surface.resize(count) : steps_.on_edge.resize(count);

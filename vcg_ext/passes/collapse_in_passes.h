@@ -53,15 +53,19 @@ std::optional<PassSurface> split(WorkingMesh& mesh, MetricType& metric, const Pa
   return surface;
 }
 
-/// The mesh and its metric with what passes have left.
+/// The mesh and its metric with what passes have left, in memory for no more.
 template <class MetricType>
 void join(PassSurface surface, WorkingMesh& mesh, MetricType& metric, const Parallel& parallel) {
+  surface.position.shrink_to_fit(), surface.faces.shrink_to_fit();
   mesh.position = std::move(surface.position);
   mesh.importance.assign(surface.importance.begin(), surface.importance.end());
-  keep_only(surface.vertex_before, parallel, mesh.kind);
-  keep_only(surface.vertex_before, parallel, mesh.locked);
-  keep_only(surface.vertex_before, parallel, mesh.vertex_origin);
-  keep_only(surface.face_before, parallel, mesh.face_origin);
+  const auto keep_left = [&](const std::vector<int>& left, auto& array) {
+    keep_only(left, parallel, array);
+    array.shrink_to_fit();
+  };
+  keep_left(surface.vertex_before, mesh.kind), keep_left(surface.vertex_before, mesh.locked);
+  keep_left(surface.vertex_before, mesh.vertex_origin);
+  keep_left(surface.face_before, mesh.face_origin);
   mesh.connectivity = TriangleConnectivity(std::move(surface.faces),
                                            static_cast<int>(mesh.position.size()), parallel);
   mesh.update_planes(parallel);
@@ -91,16 +95,13 @@ int collapse_in_passes(PassSurface surface, WorkingMesh& mesh, MetricType& metri
   if constexpr (!HasPasses<MetricType>::value) {
     return 0;
   } else {
-    BlendSteps steps;
     {
       PassSchedule passes(surface, metric, plan, parallel);
-      passes.run(record.is_over_surface(), steps);
+      passes.run(record.is_over_surface(), record.first_steps());
       tally.count_step(passes.largest_cost(), 0.0);
     }
     join(std::move(surface), mesh, metric, parallel);
-    const int count = steps.count();
-    record.begin_with(std::move(steps));
-    return count;
+    return record.first_steps().count();
   }
 }
 

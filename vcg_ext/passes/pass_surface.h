@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -12,14 +13,22 @@
 
 namespace curvdecim::detail {
 
-/// Keeps of an array the elements with these numbers, in memory for no more. An empty array stays
-/// empty.
+/// Keeps of an array the elements with these numbers, ascending, in the memory that it has: each
+/// piece closes its own gaps, and then they close up. An empty array stays empty.
 template <class T>
 void keep_only(const std::vector<int>& left, const Parallel& parallel, std::vector<T>& array) {
-  if (array.empty()) return;
-  std::vector<T> now(left.size());
-  parallel.for_each(static_cast<int>(left.size()), [&](int i) { now[i] = array[left[i]]; });
-  array.swap(now);
+  if (array.empty() || left.empty()) return array.clear();
+  const int count = static_cast<int>(left.size()), pieces = pieces_of(count, parallel);
+  std::vector<std::array<int, 2>> bounds(pieces);  // in `left`
+  for_pieces(count, pieces, parallel, [&](int piece, int begin, int end) {
+    bounds[piece] = {begin, end};
+    for (int i = begin; i < end; ++i) array[left[begin] + (i - begin)] = array[left[i]];
+  });
+  for (const auto& [begin, end] : bounds) {
+    const auto first = array.begin() + left[begin];
+    std::copy(first, first + (end - begin), array.begin() + begin);
+  }
+  array.resize(left.size());
 }
 
 /// What passes work on: flat arrays without adjacency. Elements keep their order.
