@@ -457,6 +457,28 @@ TEST_F(Passes, NoteStepsThatCanBeReplayed) {
   }
 }
 
+TEST_F(Passes, NoteStepsThatAreReplayedOnAllCoresAsInOrder) {
+  const WorkingMesh start = working_mesh(scaled(bumpy_sphere(5), 0.25));
+  for (bool over_surface : {false, true}) {
+    WorkingMesh mesh = start;
+    CurvatureWeightedMetric metric(mesh, {});
+    const CollapsePlan plan = to(mesh, 3000);
+    std::optional<PassSurface> surface = prepare(mesh, metric, plan, true, one_thread);
+    BlendRecord record(over_surface);
+    Tally tally;
+    collapse_in_passes(*std::move(surface), mesh, metric, plan, record, one_thread, tally);
+    EXPECT_GT(record.first_steps().stages[0].size(), 2u) << "blocks that are replayed together";
+    const auto replayed = [&](int threads) {
+      std::vector<double> values;
+      for (const Vector3& p : start.position) values.push_back(p.x() + 2.0 * p.y());
+      record.for_each(Parallel(threads),
+                      [&](const BlendStep& step) { take(step, values, values); });
+      return values;
+    };
+    EXPECT_EQ(replayed(4), replayed(1));
+  }
+}
+
 TEST_F(Passes, AreScaledToTheBit) {
   const Shape ball = bumpy_sphere(4);
   const WorkingMesh small = working_mesh(scaled(ball, 0.25)), large = working_mesh(scaled(ball, 1));
