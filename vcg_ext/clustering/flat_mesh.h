@@ -12,11 +12,6 @@
 
 namespace curvdecim::detail {
 
-/// True if a vertex comes twice.
-inline bool is_degenerate(const Face& face) {
-  return face[0] == face[1] || face[1] == face[2] || face[2] == face[0];
-}
-
 /// use(i) once for each number in a triple, in its order.
 template <class Use>
 void for_different(const std::array<int, 3>& triple, Use use) {

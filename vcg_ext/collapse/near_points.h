@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "vcg_ext/geometry/vector3.h"
-#include "vcg_ext/parallel/parallel.h"
+#include "vcg_ext/parallel/radix_sort.h"
 
 namespace curvdecim::detail {
 
@@ -23,7 +23,7 @@ class NearPoints {
     parallel.for_each(static_cast<int>(which.size()), [&](int i) {
       order_[i] = {key(points[which[i]]), which[i]};
     });
-    parallel.sort(order_.begin(), order_.end());
+    radix_sort(order_, 3 * bits, parallel);
   }
 
   /// use(p, q) for every two points that are closer than the distance, once. Time: O(n + pairs).
@@ -49,12 +49,6 @@ class NearPoints {
   static constexpr std::uint64_t next_row = std::uint64_t{1} << bits;
   static constexpr std::uint64_t next_layer = next_row << bits;
 
-  struct InCell {
-    std::uint64_t key;
-    int point;
-    bool operator<(const InCell& o) const { return key == o.key ? point < o.point : key < o.key; }
-  };
-
   /// The first cell of an axis has place 1, so that each has neighbours in the key.
   std::uint64_t key(const Vector3& p) const {
     constexpr double most_cells = 1 << (bits - 1);
@@ -69,15 +63,15 @@ class NearPoints {
   /// Point i of the order with those from j on, up to a key.
   template <class Use>
   void meet(std::size_t i, std::size_t j, std::uint64_t last_key, Use use) const {
-    const Vector3& p = points_[order_[i].point];
+    const Vector3& p = points_[order_[i].value];
     for (; j < order_.size() && order_[j].key <= last_key; ++j)
-      if ((points_[order_[j].point] - p).squaredNorm() < distance_ * distance_)
-        use(order_[i].point, order_[j].point);
+      if ((points_[order_[j].value] - p).squaredNorm() < distance_ * distance_)
+        use(order_[i].value, order_[j].value);
   }
 
   const std::vector<Vector3>& points_;
   const double distance_;
-  std::vector<InCell> order_;
+  std::vector<Keyed> order_;  // points by their cells
 };
 
 }  // namespace curvdecim::detail

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "vcg_ext/geometry/vector3.h"
+#include "vcg_ext/parallel/radix_sort.h"
 
 namespace curvdecim::detail {
 
@@ -17,14 +19,23 @@ inline std::uint64_t spread_bits(std::uint64_t x) {
   return (x | x << 2) & 0x1249249249249249;
 }
 
-inline constexpr int morton_bits = 63;  ///< of a code
-
 /// Place on the Z-order curve of a point with coordinates from -0.5 to 0.5: what is near in space
 /// is near on the curve.
 inline std::uint64_t morton_code(const Vector3& p) {
   constexpr double cells = 2097151.0;  // 2^21 - 1 an axis
   const auto cell = [](double x) { return static_cast<std::uint64_t>((x + 0.5) * cells); };
   return spread_bits(cell(p.x())) | spread_bits(cell(p.y())) << 1 | spread_bits(cell(p.z())) << 2;
+}
+
+/// The numbers below count in the order of the curve, by their codes; value: the number.
+/// point_of(i): its point.
+template <class PointOf>
+std::vector<Keyed> along_curve(int count, const Parallel& parallel, PointOf point_of) {
+  constexpr int code_bits = 63;
+  std::vector<Keyed> order(count);
+  parallel.for_each(count, [&](int i) { order[i] = {morton_code(point_of(i)), i}; });
+  radix_sort(order, code_bits, parallel);
+  return order;
 }
 
 }  // namespace curvdecim::detail

@@ -12,7 +12,6 @@
 #include "vcg_ext/host_mesh/working_copy.h"
 #include "vcg_ext/parallel/bucket_places.h"
 #include "vcg_ext/parallel/pieces.h"
-#include "vcg_ext/parallel/radix_sort.h"
 #include "vcg_ext/run/plan_reading.h"
 #include "vcg_ext/run/target.h"
 
@@ -52,15 +51,12 @@ class WorkingCopyReader {
   void number_vertices() {
     const std::vector<int> used = vertices_in_use(flat_, parallel_);
     const int count = copy_.vertices_read = static_cast<int>(used.size());
-    std::vector<Keyed> order(count);
-    parallel_.for_each(count, [&](int i) {
-      order[i] = {morton_code(flat_.position[used[i]]), used[i]};
-    });
-    radix_sort(order, morton_bits, parallel_);
+    const std::vector<Keyed> order =
+        along_curve(count, parallel_, [&](int i) { return flat_.position[used[i]]; });
     copy_.vertex_of.resize(count), copy_.mesh.position.resize(count);
     std::vector<int> working_of(flat_.position.size());
     parallel_.for_each(count, [&](int i) {
-      const int v = order[i].value;
+      const int v = used[order[i].value];
       copy_.vertex_of[i] = v;
       working_of[v] = i;
       copy_.mesh.position[i] = flat_.position[v];

@@ -49,6 +49,8 @@ class WriteBack {
  private:
   using Vertex = typename MeshType::VertexType;
 
+  using Marks = std::vector<std::atomic<std::uint8_t>>;  // set from several threads
+
   static constexpr int none = -1;
 
   const TriangleConnectivity& connectivity() const { return copy_.mesh.connectivity; }
@@ -140,19 +142,19 @@ class WriteBack {
   }
 
   /// Tells by vertex of the host's mesh whether a face uses it.
-  std::vector<std::uint8_t> used_vertices() const {
-    std::vector<std::atomic<std::uint8_t>> used(mesh_.vert.size());
+  Marks used_vertices() const {
+    Marks used(mesh_.vert.size());
     parallel_.for_each(static_cast<int>(mesh_.face.size()), [&](int f) {
       const auto& face = mesh_.face[f];
       for (int i = 0; i < 3 && !face.IsD(); ++i)
         used[vcg::tri::Index(mesh_, face.cV(i))].store(1, std::memory_order_relaxed);
     });
-    return {used.begin(), used.end()};
+    return used;
   }
 
   /// Deletes vertices that lost their last face, be it by a collapse or by a repair.
   void delete_vertices() {
-    const std::vector<std::uint8_t> used = used_vertices();
+    const Marks used = used_vertices();
     for (std::size_t v = 0; v < used_before_.size(); ++v)
       if (used_before_[v] && !used[v])
         vcg::tri::Allocator<MeshType>::DeleteVertex(mesh_, mesh_.vert[v]);
@@ -197,9 +199,9 @@ class WriteBack {
   const WorkingCopy& copy_;
   const Carried& carried_;
   const Parallel& parallel_;
-  const std::vector<std::uint8_t> used_before_;  // by the host's vertex
-  std::vector<bool> moved_;                      // by working vertex
-  std::vector<int> place_of_;                    // by copy: where in the host's mesh it goes
+  const Marks used_before_;    // by the host's vertex
+  std::vector<bool> moved_;    // by working vertex
+  std::vector<int> place_of_;  // by copy: where in the host's mesh it goes
 };
 
 /// Makes the host's mesh what the run made of its working copy.

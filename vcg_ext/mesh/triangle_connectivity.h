@@ -13,17 +13,23 @@
 
 namespace curvdecim::detail {
 
-/// Numbers of elements, one after the other in an array that something else owns; valid until that
-/// changes.
-struct IndexRange {
-  const int* first;
-  const int* last;
-  const int* begin() const { return first; }
-  const int* end() const { return last; }
+/// Elements one after the other in an array that something else owns; valid until that changes.
+template <class T>
+struct ElementRange {
+  const T* first;
+  const T* last;
+  const T* begin() const { return first; }
+  const T* end() const { return last; }
   int size() const { return static_cast<int>(last - first); }
 };
+using IndexRange = ElementRange<int>;  ///< numbers of elements
 
 using Face = std::array<int, 3>;
+
+/// True if a vertex comes twice.
+inline bool is_degenerate(const Face& face) {
+  return face[0] == face[1] || face[1] == face[2] || face[2] == face[0];
+}
 
 /// What a change took away.
 struct Removed {

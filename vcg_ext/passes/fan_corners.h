@@ -39,7 +39,7 @@ class FanCorners {
 
   int center() const { return center_; }
   int size() const { return size_; }
-  int groups() const { return (size_ + lane_count - 1) / lane_count; }
+  int groups() const { return lane_groups(size_); }
 
   /// The corners that follow the centre, and those before it.
   int next(int i) const { return next_[i]; }
@@ -80,7 +80,7 @@ class FanFaces {
       const auto last = Columns::of([&](int lane) { return point(fan.last(first + lane)); });
       const VectorLanes n = (next.at - center_).cross(last.at - center_);
       const Lanes length = root(n.squared());
-      const Lanes weight = half_a_third * (next.w + last.w + factor);
+      const Lanes weight = PassSurface::half_a_third * (next.w + last.w + factor);
       const VectorLanes w = n * (length > 0.0f ? weight / length : Lanes{});
       xx += w.x * n.x, xy += w.x * n.y, xz += w.x * n.z;
       yy += w.y * n.y, yz += w.y * n.z, zz += w.z * n.z;
@@ -111,8 +111,7 @@ class FanFaces {
   }
 
  private:
-  static constexpr int most_groups = (FanLists::longest + lane_count - 1) / lane_count;
-  static constexpr float half_a_third = 0.5f / 3.0f;  // area of a double one, mean of three factors
+  static constexpr int most_groups = lane_groups(FanLists::longest);
 
   LaneMask is_spoiled(int group, const VectorLanes& x, float least_cosine) const {
     constexpr float fair = 0.01f;  // as FaceGuard has it, of shape_quality

@@ -18,16 +18,7 @@ class FanLists {
  public:
   static constexpr int longest = 16;  ///< faces: others have very many, and are left out
 
-  class Fan {
-   public:
-    Fan(const FanCorner* first, const FanCorner* last) : first_(first), last_(last) {}
-    const FanCorner* begin() const { return first_; }
-    const FanCorner* end() const { return last_; }
-    int size() const { return static_cast<int>(last_ - first_); }
-
-   private:
-    const FanCorner *first_, *last_;
-  };
+  using Fan = ElementRange<FanCorner>;
 
   /// wanted(v): whether v's list is.
   template <class Wanted>
@@ -53,10 +44,7 @@ class FanLists {
     return {first, first + (size <= longest ? size : 0)};
   }
 
-  bool has(int v) const {
-    const int size = places_.begin()[v + 1] - places_.begin()[v];
-    return size > 0 && size <= longest;
-  }
+  bool has(int v) const { return of(v).size() > 0; }
 
  private:
   BucketPlaces places_;  // a bucket a vertex

@@ -15,6 +15,9 @@ namespace curvdecim::detail {
 using Lanes = float __attribute__((vector_size(16)));
 inline constexpr int lane_count = 4;
 
+/// How many it takes for so many numbers.
+constexpr int lane_groups(int count) { return (count + lane_count - 1) / lane_count; }
+
 /// What comparing them gives, 0 where it does not hold, and four indices.
 using LaneMask = std::int32_t __attribute__((vector_size(16)));
 
@@ -37,10 +40,10 @@ inline Lanes root(Lanes x) {
 
 inline bool any(LaneMask mask) { return (mask[0] | mask[1] | mask[2] | mask[3]) != 0; }
 
-/// In this order.
+/// Adds up, in this order.
 inline float sum(Lanes x) { return (x[0] + x[2]) + (x[1] + x[3]); }
 
-/// Of the first three.
+/// Adds up the first three.
 inline float sum3(Lanes x) { return x[0] + x[1] + x[2]; }
 
 /// Lanes of two vectors, those of the second counted from 4 on.

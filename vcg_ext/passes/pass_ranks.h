@@ -31,9 +31,9 @@ class PassRanks {
     parallel.for_each(vertices, [&](int v) {
       point_[v].lanes = row(surface.position[v], surface.weight[v].factor);
     });
-    parallel.for_each(groups(faces), [&](int group) { measure_planes(surface, group); });
+    parallel.for_each(lane_groups(faces), [&](int group) { measure_planes(surface, group); });
     parallel.for_each(vertices, [&](int v) { propose(surface, fans, v); });
-    parallel.for_each(groups(vertices), [&](int group) { rank(surface, group); });
+    parallel.for_each(lane_groups(vertices), [&](int group) { rank(surface, group); });
   }
 
   /// none: v proposes no edge.
@@ -70,11 +70,8 @@ class PassRanks {
     return bits;
   }
 
-  static int groups(int count) { return (count + lane_count - 1) / lane_count; }
-
   /// Roots of the faces' matrices: each is the outer product of a vector with itself.
   void measure_planes(const PassSurface& surface, int group) {
-    constexpr float half_a_third = 0.5f / 3.0f;  // area of a double one, mean of three factors
     const int first = lane_count * group;
     const auto face = [&](int lane) -> const Face& {
       return surface.faces[std::min(first + lane, surface.face_count() - 1)];
@@ -84,7 +81,7 @@ class PassRanks {
     };
     const Columns a = corners(0), b = corners(1), c = corners(2);
     const VectorLanes n = (b.at - a.at).cross(c.at - a.at);
-    const Lanes length = root(n.squared()), weight = half_a_third * (a.w + b.w + c.w);
+    const Lanes length = root(n.squared()), weight = PassSurface::half_a_third * (a.w + b.w + c.w);
     const VectorLanes m = n * (length > 0.0f ? root(weight / length) : Lanes{});
     const Columns rows(m.x, m.y, m.z, Lanes{});
     const std::array<Lanes, lane_count> of_lane = {rows.at.x, rows.at.y, rows.at.z, rows.w};

@@ -42,7 +42,7 @@ class PassSchedule {
     }
   }
 
-  /// Of the last pass.
+  /// What the dearest collapse of the last pass cost.
   double largest_cost() const { return largest_cost_; }
 
  private:

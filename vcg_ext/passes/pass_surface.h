@@ -42,6 +42,10 @@ struct PassSurface {
   std::vector<Face> faces;           // none is degenerate
   std::vector<int> face_before;      // by face: its number before the passes
 
+  /// Times the length of a double area vector and the factors of a face's three corners: the weight
+  /// of its plane.
+  static constexpr float half_a_third = 0.5f / 3.0f;
+
   int vertex_count() const { return static_cast<int>(position.size()); }
   int face_count() const { return static_cast<int>(faces.size()); }
 
@@ -65,16 +69,14 @@ struct PassSurface {
   void close_gaps(const std::vector<int>& into, const Parallel& parallel) {
     const std::vector<int> stays =
         indices_where(vertex_count(), parallel, [&](int v) { return into[v] == v; });
-    const std::vector<int> left = indices_where(face_count(), parallel, [&](int f) {
-      const auto [a, b, c] = faces[f];
-      return into[a] != into[b] && into[b] != into[c] && into[c] != into[a];
-    });
     std::vector<int> number(vertex_count());
     const int vertices = static_cast<int>(stays.size());
     parallel.for_each(vertices, [&](int i) { number[stays[i]] = i; });
     parallel.for_each(face_count(), [&](int f) {
       for (int& v : faces[f]) v = number[into[v]];
     });
+    const std::vector<int> left =
+        indices_where(face_count(), parallel, [&](int f) { return !is_degenerate(faces[f]); });
     keep_only(stays, parallel, position), keep_only(stays, parallel, memory);
     keep_only(stays, parallel, weight), keep_only(stays, parallel, importance);
     keep_only(stays, parallel, held), keep_only(stays, parallel, vertex_before);

@@ -3,9 +3,7 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cstdint>
 #include <limits>
-#include <utility>
 #include <vector>
 
 #include "vcg_ext/geometry/box_tree.h"
@@ -84,13 +82,10 @@ class TriangleTree {
   int face_count() const { return static_cast<int>(order_.size()); }
 
   void sort_faces(const Parallel& parallel) {
-    std::vector<std::pair<std::uint64_t, int>> keys(order_.size());
-    parallel.for_each(face_count(), [&](int f) {
-      const Vector3 center = center_of(surface_.triangle(f));
-      keys[f] = {morton_code(center.cwiseMax(-0.5).cwiseMin(0.5)), f};
+    const auto keys = along_curve(face_count(), parallel, [&](int f) -> Vector3 {
+      return center_of(surface_.triangle(f)).cwiseMax(-0.5).cwiseMin(0.5);
     });
-    parallel.sort(keys.begin(), keys.end());
-    for (std::size_t i = 0; i < keys.size(); ++i) order_[i] = keys[i].second;
+    parallel.for_each(face_count(), [&](int i) { order_[i] = keys[i].value; });
   }
 
   IndexRange faces_of(int leaf) const {
