@@ -10,6 +10,8 @@
 #include <thread>
 #include <vector>
 
+#include "vcg_ext/parallel/processor.h"
+
 namespace curvdecim::detail {
 
 /// Threads that wait for the next job. They start with the first job and end with the team, so that
@@ -41,16 +43,18 @@ class ThreadTeam {
   }
 
  private:
-  /// Looks at the condition this often before it goes to sleep; a thread that sleeps takes some
-  /// tens of microseconds to wake, as long as a whole small job.
-  static constexpr int looks = 100;
+  /// Looks at the condition this often, for about a millisecond, before it goes to sleep: a thread
+  /// that sleeps takes some tens of microseconds to wake, as long as a whole small job, and may
+  /// wake where the one that wakes it is at work.
+  static constexpr int looks = 3000;
 
   /// Where the system grants fewer threads, the team is smaller.
   void start() {
     if (!threads_.empty()) return;
+    const Processor callers = Processor::current();
     try {
       for (int worker = 1; worker < size_; ++worker)
-        threads_.emplace_back([this, worker] { serve(worker); });
+        threads_.emplace_back([this, worker, callers] { callers.leave(), serve(worker); });
     } catch (const std::system_error&) {
       size_ = static_cast<int>(threads_.size()) + 1;
     }
