@@ -40,17 +40,17 @@ TEST(BucketPlaces, PutEntriesInTheOrderOfTheirItems) {
 }
 
 TEST(RadixSort, IsThatOfKeysAndKeepsTheOrderOfEqualOnes) {
-  std::vector<Keyed> items;
+  Array<Keyed> items;
   for (int i = 0; i < 20000; ++i) {
     std::uint64_t key = static_cast<std::uint64_t>(i) * 0x9e3779b97f4a7c15u >> 1;
     if (i % 3 == 0) key = (key % 5) << 58;  // some in the highest bits, and equal
     items.push_back({key, i});
   }
-  std::vector<Keyed> expected = items;
+  Array<Keyed> expected = items;
   std::stable_sort(expected.begin(), expected.end(),
                    [](const Keyed& a, const Keyed& b) { return a.key < b.key; });
   for (int threads : {1, 3}) {
-    std::vector<Keyed> sorted = items;
+    Array<Keyed> sorted = items;
     radix_sort(sorted, 63, Parallel(threads));
     for (std::size_t i = 0; i < items.size(); ++i) ASSERT_EQ(sorted[i].value, expected[i].value);
   }

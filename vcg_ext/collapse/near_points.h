@@ -71,7 +71,7 @@ class NearPoints {
 
   const std::vector<Vector3>& points_;
   const double distance_;
-  std::vector<Keyed> order_;  // points by their cells
+  Array<Keyed> order_;  // points by their cells
 };
 
 }  // namespace curvdecim::detail

@@ -20,9 +20,7 @@ class CurrentCurvature {
     sums_.resize(mesh_.position.size());
     parallel.for_each(static_cast<int>(angles_.size()),
                       [this](int f) { angles_[f] = corner_angles(mesh_, f); });
-    parallel.for_each(static_cast<int>(sums_.size()), [this](int v) {
-      sums_[v] = curvature_sums(mesh_, v, [this](int f, int i) { return angles_[f][i]; });
-    });
+    parallel.for_each(static_cast<int>(sums_.size()), [this](int v) { sums_[v] = sums_around(v); });
   }
 
   VertexCurvature at(int v) const { return sums_[v].curvature(mesh_.kind[v]); }
@@ -30,7 +28,7 @@ class CurrentCurvature {
   /// Before a collapse: the faces around the edge leave the vertices that will remain.
   void release(const EdgeNeighborhood& around) {
     for (const auto* faces : {&around.wings(), &around.star()})
-      for (int f : *faces) add(f, -1.0, around.edge());
+      for (int f : *faces) leave(f, around.edge());
   }
 
   /// After it: the faces that remain are back in their new shape.
@@ -39,24 +37,35 @@ class CurrentCurvature {
     for (int f : around.star()) {
       if (!mesh_.connectivity.alive(f)) continue;
       angles_[f] = corner_angles(mesh_, f);
-      add(f, 1.0, no_edge);
+      for (int i = 0; i < 3; ++i) add(f, i, 1.0, sums_[mesh_.connectivity.face(f)[i]]);
     }
   }
 
   /// The faces around v are others now.
   void renew(int v) {
     for (int f : mesh_.connectivity.faces_of(v)) angles_[f] = corner_angles(mesh_, f);
-    sums_[v] = curvature_sums(mesh_, v, [this](int f, int i) { return angles_[f][i]; });
+    sums_[v] = sums_around(v);
   }
 
   void renumber(const Renumbering& numbers) { numbers.faces(angles_), numbers.vertices(sums_); }
 
  private:
-  /// To the sums of the corners that are not on the edge.
-  void add(int f, double sign, Edge edge) {
+  /// But for the corners on the edge.
+  void leave(int f, Edge edge) {
     for (int i = 0; i < 3; ++i)
       if (const int v = mesh_.connectivity.face(f)[i]; v != edge.a && v != edge.b)
-        sums_[v].add(mesh_, f, i, angles_[f][i], sign);
+        add(f, i, -1.0, sums_[v]);
+  }
+
+  CurvatureSums sums_around(int v) const {
+    CurvatureSums sums;
+    for (int f : mesh_.connectivity.faces_of(v)) add(f, mesh_.connectivity.corner(f, v), 1.0, sums);
+    return sums;
+  }
+
+  void add(int f, int i, double sign, CurvatureSums& sums) const {
+    sums.angles += sign * angles_[f][i];
+    sums.add(FaceCorner(mesh_, f, mesh_.connectivity.face(f)[i]), sign);
   }
 
   const WorkingMesh& mesh_;

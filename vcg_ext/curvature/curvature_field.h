@@ -47,14 +47,10 @@ struct CurvatureField {
 
 inline CurvatureField measured_field(const WorkingMesh& mesh, const CurvatureParams& params,
                                      const Parallel& parallel) {
-  std::vector<CornerAngles> angles(mesh.connectivity.face_slots());
-  parallel.for_each(mesh.connectivity.face_slots(),
-                    [&](int f) { angles[f] = corner_angles(mesh, f); });
-  const auto angle_at = [&](int f, int i) { return angles[f][i]; };
   const std::size_t count = mesh.position.size();
   CurvatureField field{std::vector<double>(count), std::vector<double>(count)};
   parallel.for_each(static_cast<int>(count), [&](int v) {
-    const VertexCurvature curvature = curvature_sums(mesh, v, angle_at).curvature(mesh.kind[v]);
+    const VertexCurvature curvature = vertex_curvature(mesh, v);
     field.value[v] = curvature.measure(params), field.area[v] = curvature.area;
   });
   return field;

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "vcg_ext/geometry/angle_sum.h"
 #include "vcg_ext/mesh/working_mesh.h"
 #include "vcg_ext/params.h"
 
@@ -42,20 +43,30 @@ struct VertexCurvature {
   }
 };
 
-/// Angle at corner i of face f, in radians: the area is the cross product's.
-inline double corner_angle(const WorkingMesh& mesh, int f, int i) {
-  const Face& face = mesh.connectivity.face(f);
-  const Vector3& apex = mesh.position[face[i]];
-  const Vector3 u = mesh.position[face[(i + 1) % 3]] - apex;
-  const Vector3 v = mesh.position[face[(i + 2) % 3]] - apex;
-  return std::atan2(2.0 * mesh.plane[f].area, u.dot(v));
-}
+/// The corner of face f at vertex v.
+struct FaceCorner {
+  const FacePlane& plane;
+  Vector3 to_next, to_last;  // its edges
+
+  FaceCorner(const WorkingMesh& mesh, int f, int v) : plane(mesh.plane[f]) {
+    const int next = mesh.connectivity.next_vertex(f, v);
+    to_next = mesh.position[next] - mesh.position[v];
+    to_last = mesh.position[mesh.connectivity.third_vertex(f, v, next)] - mesh.position[v];
+  }
+
+  /// Of its angle, both times the same: the area tells the sine.
+  double cosine() const { return to_next.dot(to_last); }
+  double sine() const { return 2.0 * plane.area; }
+  double angle() const { return std::atan2(sine(), cosine()); }
+};
 
 using CornerAngles = std::array<double, 3>;
 
 /// All angles of face f, radians: what two leave of a half turn is the third.
 inline CornerAngles corner_angles(const WorkingMesh& mesh, int f) {
-  const double first = corner_angle(mesh, f, 0), second = corner_angle(mesh, f, 1);
+  const Face& face = mesh.connectivity.face(f);
+  const double first = FaceCorner(mesh, f, face[0]).angle();
+  const double second = FaceCorner(mesh, f, face[1]).angle();
   return {first, second, std::max(M_PI - first - second, 0.0)};
 }
 
@@ -64,14 +75,11 @@ struct CurvatureSums {
   double angles = 0.0, area = 0.0;
   Vector3 gradient = Vector3::Zero(), normal = Vector3::Zero();
 
-  /// Face f with its corner i at the vertex, whose angle is given; sign: 1 to add, -1 to take away.
-  void add(const WorkingMesh& mesh, int f, int i, double angle, double sign) {
-    const Face& face = mesh.connectivity.face(f);
-    const FacePlane& plane = mesh.plane[f];
-    const Vector3 opposite = mesh.position[face[(i + 2) % 3]] - mesh.position[face[(i + 1) % 3]];
-    angles += sign * angle;
+  /// A face with its corner at the vertex, but for the angle; sign: 1 to add, -1 to take away.
+  void add(const FaceCorner& corner, double sign) {
+    const FacePlane& plane = corner.plane;
     area += sign * (plane.area / 3.0);
-    gradient += (0.5 * sign) * plane.normal.cross(opposite);
+    gradient += (0.5 * sign) * plane.normal.cross(corner.to_last - corner.to_next);
     normal += (sign * plane.area) * plane.normal;
   }
 
@@ -85,20 +93,15 @@ struct CurvatureSums {
   }
 };
 
-/// angle_at(f, i): corner_angle, or what is remembered of it.
-template <class AngleAt>
-CurvatureSums curvature_sums(const WorkingMesh& mesh, int v, AngleAt angle_at) {
-  CurvatureSums sums;
-  for (int f : mesh.connectivity.faces_of(v)) {
-    const int i = mesh.connectivity.corner(f, v);
-    sums.add(mesh, f, i, angle_at(f, i), 1.0);
-  }
-  return sums;
-}
-
 inline VertexCurvature vertex_curvature(const WorkingMesh& mesh, int v) {
-  const auto angle_at = [&](int f, int i) { return corner_angles(mesh, f)[i]; };
-  return curvature_sums(mesh, v, angle_at).curvature(mesh.kind[v]);
+  CurvatureSums sums;
+  AngleSum angles;
+  for (int f : mesh.connectivity.faces_of(v)) {
+    const FaceCorner corner(mesh, f, v);
+    angles.add(corner.cosine(), corner.sine()), sums.add(corner, 1.0);
+  }
+  sums.angles = angles.value();
+  return sums.curvature(mesh.kind[v]);
 }
 
 }  // namespace curvdecim::detail

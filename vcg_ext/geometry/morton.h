@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
 #include "vcg_ext/geometry/vector3.h"
 #include "vcg_ext/parallel/radix_sort.h"
@@ -30,9 +29,9 @@ inline std::uint64_t morton_code(const Vector3& p) {
 /// The numbers below count in the order of the curve, by their codes; value: the number.
 /// point_of(i): its point.
 template <class PointOf>
-std::vector<Keyed> along_curve(int count, const Parallel& parallel, PointOf point_of) {
+Array<Keyed> along_curve(int count, const Parallel& parallel, PointOf point_of) {
   constexpr int code_bits = 63;
-  std::vector<Keyed> order(count);
+  Array<Keyed> order(count);
   parallel.for_each(count, [&](int i) { order[i] = {morton_code(point_of(i)), i}; });
   radix_sort(order, code_bits, parallel);
   return order;

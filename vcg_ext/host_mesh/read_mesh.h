@@ -51,10 +51,10 @@ class WorkingCopyReader {
   void number_vertices() {
     const std::vector<int> used = vertices_in_use(flat_, parallel_);
     const int count = copy_.vertices_read = static_cast<int>(used.size());
-    const std::vector<Keyed> order =
+    const Array<Keyed> order =
         along_curve(count, parallel_, [&](int i) { return flat_.position[used[i]]; });
     copy_.vertex_of.resize(count), copy_.mesh.position.resize(count);
-    std::vector<int> working_of(flat_.position.size());
+    Array<int> working_of(flat_.position.size());
     parallel_.for_each(count, [&](int i) {
       const int v = used[order[i].value];
       copy_.vertex_of[i] = v;
@@ -77,7 +77,7 @@ class WorkingCopyReader {
   }
 
   /// The usable faces by their vertices: buckets by the least one, sorted inside.
-  std::vector<FaceKey> ordered_keys() const {
+  Array<FaceKey> ordered_keys() const {
     const int vertices = copy_.vertices_read;
     const auto least = [&](int f) {
       const auto [a, b, c] = flat_.faces[f];
@@ -87,7 +87,7 @@ class WorkingCopyReader {
     places.count(face_slots(), vertices, parallel_, [&](int f, auto count_in) {
       if (is_usable(f)) count_in(least(f));
     });
-    std::vector<FaceKey> keys(places.begin().back());
+    Array<FaceKey> keys(places.begin().back());
     places.fill(parallel_, [&](int f, auto place_in) {
       if (is_usable(f)) keys[place_in(least(f))] = key_of(f);
     });
@@ -98,7 +98,7 @@ class WorkingCopyReader {
 
   /// By their vertices, too.
   void order_faces() {
-    const std::vector<FaceKey> keys = keys_without_doubles();
+    const Array<FaceKey> keys = keys_without_doubles();
     const int count = static_cast<int>(keys.size());
     faces_.resize(count), face_of_.resize(count);
     parallel_.for_each(count, [&](int i) {
@@ -120,8 +120,8 @@ class WorkingCopyReader {
 
   /// The faces in order; of doubles the first stays. Two faces back to back on the same three
   /// vertices are none: closed parts that touch have such.
-  std::vector<FaceKey> keys_without_doubles() {
-    std::vector<FaceKey> keys = ordered_keys();
+  Array<FaceKey> keys_without_doubles() {
+    Array<FaceKey> keys = ordered_keys();
     const auto doubles_before = [&](int i, int end) {
       return (end > 0 && are_doubles(keys[i], keys[end - 1])) ||
              (end > 1 && are_doubles(keys[i], keys[end - 2]));

@@ -44,12 +44,12 @@ class Renumbering {
   int vertex(int old) const { return new_vertex_[old]; }
 
   /// Keep of an array by vertex, or by face, what is left. An empty array stays empty.
-  template <class T>
-  void vertices(std::vector<T>& by_vertex) const {
+  template <class T, class Memory>
+  void vertices(std::vector<T, Memory>& by_vertex) const {
     keep(old_vertex_, more_vertices_, by_vertex);
   }
-  template <class T>
-  void faces(std::vector<T>& by_face) const {
+  template <class T, class Memory>
+  void faces(std::vector<T, Memory>& by_face) const {
     keep(old_face_, more_faces_, by_face);
   }
 
@@ -74,8 +74,8 @@ class Renumbering {
   }
 
  private:
-  template <class T>
-  static void keep(const std::vector<int>& old, int more, std::vector<T>& array) {
+  template <class T, class Memory>
+  static void keep(const std::vector<int>& old, int more, std::vector<T, Memory>& array) {
     if (array.empty()) return;
     assert(old.size() <= array.size());
     for (std::size_t i = 0; i < old.size(); ++i) array[i] = array[old[i]];

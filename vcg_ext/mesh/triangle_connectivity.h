@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "vcg_ext/parallel/array.h"
 #include "vcg_ext/parallel/bucket_places.h"
 
 namespace curvdecim::detail {
@@ -246,7 +247,7 @@ class TriangleConnectivity {
   void extend(int vertices, int faces) {
     faces_.reserve(faces_.size() + faces), lists_.reserve(lists_.size() + vertices);
     faces_.resize(faces_.size() + faces, {dead, dead, dead});
-    lists_.resize(lists_.size() + vertices);
+    lists_.resize(lists_.size() + vertices, List{});
   }
 
   /// To be told of every change, so that the counts stay right.
@@ -273,12 +274,13 @@ class TriangleConnectivity {
       for (int v : faces_[f]) pool_[place_in(v)] = f;
     });
     lists_.resize(vertex_count);
-    face_count_ = face_slots(), vertex_count_ = 0;
-    for (int v = 0; v < vertex_count; ++v) {
+    parallel.for_each(vertex_count, [&](int v) {
       const int size = begin[v + 1] - begin[v];
       lists_[v] = {begin[v], size, size};
-      vertex_count_ += size > 0;
-    }
+    });
+    face_count_ = face_slots();
+    vertex_count_ = static_cast<int>(std::count_if(
+        lists_.begin(), lists_.end(), [](const List& list) { return list.size > 0; }));
   }
 
   void append(List& list, int f) { pool_[list.begin + list.size++] = f; }
@@ -368,8 +370,8 @@ class TriangleConnectivity {
   }
 
   std::vector<Face> faces_;
-  std::vector<List> lists_;  // by vertex
-  std::vector<int> pool_;
+  Array<List> lists_;  // by vertex
+  Array<int> pool_;
   int face_count_ = 0, vertex_count_ = 0;
 };
 

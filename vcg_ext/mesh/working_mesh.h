@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -9,6 +11,7 @@
 #include "vcg_ext/mesh/renumbering.h"
 #include "vcg_ext/mesh/triangle_connectivity.h"
 #include "vcg_ext/mesh/vertex_kind.h"
+#include "vcg_ext/parallel/array.h"
 
 namespace curvdecim::detail {
 
@@ -17,7 +20,7 @@ struct WorkingMesh {
   std::vector<Vector3> position;     // by vertex
   std::vector<VertexKind> kind;      // by vertex
   std::vector<std::uint8_t> locked;  // by vertex: 1 must stay where it is
-  std::vector<FacePlane> plane;      // by face
+  Array<FacePlane> plane;            // by face
   std::vector<double> importance;    // by vertex: factor on the cost; empty: 1 everywhere
   TriangleConnectivity connectivity;
   std::vector<int> vertex_origin;  // by vertex: its number at the start, or a later one
@@ -41,7 +44,9 @@ struct WorkingMesh {
   void renumber(const Renumbering& numbers) {
     numbers.vertices(position), numbers.vertices(kind), numbers.vertices(locked);
     numbers.vertices(importance), numbers.vertices(vertex_origin, vertex_origins);
+    const std::size_t planes = plane.size();
     numbers.faces(plane), numbers.faces(face_origin, face_origins);
+    if (plane.size() > planes) std::fill(plane.begin() + planes, plane.end(), FacePlane{});
     numbers.apply(connectivity);
   }
 };

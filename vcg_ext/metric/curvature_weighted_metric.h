@@ -24,7 +24,7 @@ class CurvatureWeightedMetric {
       : mesh_(mesh), plan_(plan), quadric_(mesh, plan.quadrics), current_(mesh) {}
 
   void initialize(const Parallel& parallel) {
-    if (saturation_.empty()) measure(parallel);  // remember() may have done so
+    measure(parallel);
     quadric_.initialize(parallel, weighs_planes() ? roots(parallel) : std::vector<float>());
     if (follows_current()) current_.initialize(parallel);
   }
@@ -33,8 +33,6 @@ class CurvatureWeightedMetric {
   // ---------------------------------------------------------------------------
 
   bool allows_passes() const { return weighs_planes() && quadric_.allows_passes(); }
-
-  bool is_smooth(int v) const { return quadric_.is_smooth(v); }
 
   PassWeight pass_weight(int v) const {
     return {saturation_[v], area_[v], static_cast<float>(quadric_.factor(v))};

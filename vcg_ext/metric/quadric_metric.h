@@ -51,17 +51,12 @@ class QuadricMetric {
            plan_.plane_weight == PlaneWeight::Area;
   }
 
-  /// False at boundary and feature edges of the input, which are held by planes of their own.
-  bool is_smooth(int v) const { return smooth_[v] != 0; }
-
   /// Instead of initialize(): what each vertex remembers of the input. resume() has to follow.
   std::vector<SmallQuadric> remember(const Parallel& parallel, std::vector<float> factors = {}) {
     factor_ = std::move(factors);
     std::vector<SmallQuadric> remembered(mesh_.position.size());
-    smooth_.assign(remembered.size(), 1);
     ConstraintQuadrics(mesh_, plan_).build(parallel, [&](int v, const Symmetric3& plane) {
       remembered[v] = SmallQuadric({remembered[v].quadric().a + plane});
-      smooth_[v] = 0;
     });
     parallel.for_each(static_cast<int>(remembered.size()), [&](int v) {
       const Symmetric3 held = remembered[v].quadric().a * factor(v);
@@ -292,7 +287,6 @@ class QuadricMetric {
   const bool memoryless_;
   std::vector<Carried> sum_;   // by vertex, about it; memoryless: of planes remembered and current
   std::vector<float> factor_;  // by vertex, or empty: on the weight of planes
-  std::vector<std::uint8_t> smooth_;  // by vertex of the input
 };
 
 }  // namespace curvdecim::detail

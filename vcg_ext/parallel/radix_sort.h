@@ -2,9 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <cstring>
 #include <utility>
-#include <vector>
 
+#include "vcg_ext/parallel/array.h"
 #include "vcg_ext/parallel/bucket_places.h"
 
 namespace curvdecim::detail {
@@ -15,13 +16,20 @@ struct Keyed {
   int value;
 };
 
+/// A key of 32 bits in the order of numbers that are not negative.
+inline std::uint32_t key_of(float x) {
+  std::uint32_t bits;
+  std::memcpy(&bits, &x, sizeof bits);
+  return bits;
+}
+
 /// Sorts by keys of so many bits, from the lowest digit up, on all cores; equal ones stay in their
 /// order.
-inline void radix_sort(std::vector<Keyed>& items, int key_bits, const Parallel& parallel) {
+inline void radix_sort(Array<Keyed>& items, int key_bits, const Parallel& parallel) {
   constexpr int digit_bits = 11;  // the counters of a digit fit the first cache
   constexpr int digits = 1 << digit_bits;
   const int count = static_cast<int>(items.size());
-  std::vector<Keyed> sorted(items.size());
+  Array<Keyed> sorted(items.size());
   BucketPlaces places;
   for (int shift = 0; shift < key_bits; shift += digit_bits) {
     const auto digit = [&](int i) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <numeric>
 #include <optional>
 #include <type_traits>
@@ -13,7 +15,7 @@
 namespace curvdecim::detail {
 
 /// Tells whether passes can compute as a metric does: it has allows_passes(), remember(parallel),
-/// is_smooth(v), pass_weight(v), merged(weight, weight) and resume(memory, weights, parallel).
+/// pass_weight(v), merged(weight, weight) and resume(memory, weights, parallel).
 template <class MetricType, class = void>
 struct HasPasses : std::false_type {};
 template <class MetricType>
@@ -23,10 +25,13 @@ struct HasPasses<MetricType, std::void_t<decltype(&MetricType::allows_passes)>> 
 inline bool is_closed_fan(const WorkingMesh& mesh, int v) {
   const TriangleConnectivity& connectivity = mesh.connectivity;
   if (mesh.kind[v] != VertexKind::Interior || connectivity.is_hub(v)) return false;
-  const IndexRange faces = connectivity.faces_of(v);
-  for (const int* f = faces.begin(); f != faces.end(); ++f)
-    for (const int* g = faces.begin(); g != f; ++g)
-      if (connectivity.next_vertex(*f, v) == connectivity.next_vertex(*g, v)) return false;
+  std::array<int, TriangleConnectivity::hub> next;
+  auto end = next.begin();
+  for (int f : connectivity.faces_of(v)) {
+    *end = connectivity.next_vertex(f, v);
+    if (std::find(next.begin(), end, *end) != end) return false;
+    ++end;
+  }
   return true;
 }
 
@@ -36,14 +41,14 @@ template <class MetricType>
 std::optional<PassSurface> split(WorkingMesh& mesh, MetricType& metric, const Parallel& parallel) {
   const int vertices = mesh.connectivity.vertex_slots(), faces = mesh.connectivity.face_slots();
   PassSurface surface;
-  surface.memory = metric.remember(parallel);  // with planes and lists, which can go then
-  surface.held.resize(vertices), surface.weight.resize(vertices);
-  parallel.for_each(vertices, [&](int v) {
-    surface.held[v] = !is_closed_fan(mesh, v) || mesh.locked[v] || !metric.is_smooth(v);
-    surface.weight[v] = metric.pass_weight(v);
-  });
+  surface.held.resize(vertices);
+  parallel.for_each(vertices,
+                    [&](int v) { surface.held[v] = !is_closed_fan(mesh, v) || mesh.locked[v]; });
   if (!surface.is_mostly_free()) return std::nullopt;
-  std::vector<FacePlane>().swap(mesh.plane);
+  surface.memory = metric.remember(parallel);  // with planes and lists, which can go then
+  surface.weight.resize(vertices);
+  parallel.for_each(vertices, [&](int v) { surface.weight[v] = metric.pass_weight(v); });
+  Array<FacePlane>().swap(mesh.plane);
   surface.faces = mesh.connectivity.release_faces();
   surface.position = std::exchange(mesh.position, {});
   surface.importance.assign(mesh.importance.begin(), mesh.importance.end());

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "vcg_ext/mesh/triangle_connectivity.h"
+#include "vcg_ext/parallel/array.h"
 #include "vcg_ext/parallel/bucket_places.h"
 
 namespace curvdecim::detail {
@@ -48,7 +49,7 @@ class FanLists {
 
  private:
   BucketPlaces places_;  // a bucket a vertex
-  std::vector<FanCorner> corners_;
+  Array<FanCorner> corners_;
 };
 
 }  // namespace curvdecim::detail

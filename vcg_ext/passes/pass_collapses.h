@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "vcg_ext/attributes/attribute_blend.h"
+#include "vcg_ext/parallel/radix_sort.h"
 #include "vcg_ext/passes/fan_collapse.h"
 #include "vcg_ext/passes/pass_ranks.h"
 
@@ -56,13 +57,11 @@ class PassCollapses {
 
   /// The cheapest ones in order, on one core, until so many are done. Appends them to the steps.
   void run_in_order(int most, double limit, const Parallel& parallel, BlendSteps& steps) {
-    std::vector<int> order = proposers(parallel);
-    std::stable_sort(order.begin(), order.end(),
-                     [&](int v, int u) { return ranks_.rank(v) < ranks_.rank(u); });
+    const Array<Keyed> order = by_rank(parallel);
     steps.begin_stage();
     FanCollapse collapse(surface_, fans_, limits_);
     for (auto v = order.begin(); v != order.end() && most > 0; ++v)
-      most -= attempt(*v, limit, collapse, steps, largest_cost_);
+      most -= attempt(v->value, limit, collapse, steps, largest_cost_);
     steps.end_run();
   }
 
@@ -86,6 +85,15 @@ class PassCollapses {
   std::vector<int> proposers(const Parallel& parallel) const {
     return indices_where(ranks_.count(), parallel,
                          [&](int v) { return ranks_.partner(v) != PassRanks::none; });
+  }
+
+  /// The proposers, the cheapest first.
+  Array<Keyed> by_rank(const Parallel& parallel) const {
+    constexpr int rank_bits = 32;
+    Array<Keyed> order;
+    for (int v : proposers(parallel)) order.push_back({key_of(ranks_.rank(v)), v});
+    radix_sort(order, rank_bits, parallel);
+    return order;
   }
 
   /// The proposers, ascending, by their numbers without the lowest bits.

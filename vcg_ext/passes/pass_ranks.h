@@ -10,6 +10,8 @@
 
 #include "vcg_ext/metric/least_cost.h"
 #include "vcg_ext/metric/placement.h"
+#include "vcg_ext/parallel/array.h"
+#include "vcg_ext/parallel/radix_sort.h"
 #include "vcg_ext/passes/fan_lists.h"
 #include "vcg_ext/passes/lanes.h"
 #include "vcg_ext/passes/pass_surface.h"
@@ -151,14 +153,10 @@ class PassRanks {
 
   static constexpr CostScale<float> scale{float(relative_pull), 1e-12f};  // a millionth of the edge
 
-  // The bits of a float that is not negative are in its order: a bucket has a 32nd of an octave.
+  // Each has a 32nd of an octave.
   static constexpr int buckets = 1 << 13, dropped_bits = 32 - 13;
 
-  static int bucket(float rank) {
-    std::uint32_t bits;
-    std::memcpy(&bits, &rank, sizeof bits);
-    return static_cast<int>(bits >> dropped_bits);
-  }
+  static int bucket(float rank) { return static_cast<int>(key_of(rank) >> dropped_bits); }
 
   static float end_of(int bucket) {
     const std::uint32_t bits = ((static_cast<std::uint32_t>(bucket) + 1) << dropped_bits) - 1;
@@ -179,12 +177,12 @@ class PassRanks {
     }
   }
 
-  std::vector<Row> point_;             // by vertex: its position, and the factor on its planes
-  std::vector<Row> plane_;             // by face
-  std::vector<SmallQuadric> quadric_;  // by vertex: of its faces and its memory
-  std::vector<int> partner_;           // by vertex
-  std::vector<float> rank_;            // by vertex
-  std::vector<std::uint32_t> reach_;   // by vertex: bits in which a neighbour's number differs
+  Array<Row> point_;             // by vertex: its position, and the factor on its planes
+  Array<Row> plane_;             // by face
+  Array<SmallQuadric> quadric_;  // by vertex: of its faces and its memory
+  Array<int> partner_;           // by vertex
+  Array<float> rank_;            // by vertex
+  Array<std::uint32_t> reach_;   // by vertex: bits in which a neighbour's number differs
 };
 
 }  // namespace curvdecim::detail
