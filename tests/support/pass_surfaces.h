@@ -24,9 +24,9 @@ inline PassSurface surface_of(const Shape& shape) {
   for (int v = 0; v < shape.vertex_count(); ++v)
     surface.held.push_back(is_closed_fan(mesh, v) ? 0 : 1);
   surface.vertex_before.resize(shape.vertices.size());
-  surface.face_before.resize(shape.faces.size());
+  surface.face_origin.resize(shape.faces.size());
   std::iota(surface.vertex_before.begin(), surface.vertex_before.end(), 0);
-  std::iota(surface.face_before.begin(), surface.face_before.end(), 0);
+  std::iota(surface.face_origin.begin(), surface.face_origin.end(), 0);
   return surface;
 }
 
@@ -34,6 +34,11 @@ inline std::vector<int> nothing_merged(const PassSurface& surface) {
   std::vector<int> into(surface.position.size());
   std::iota(into.begin(), into.end(), 0);
   return into;
+}
+
+/// A neighbour of v.
+inline int first_neighbour(const PassSurface& surface, const FanLists& fans, int v) {
+  return next_in(surface.faces[*fans.of(v).begin()], v);
 }
 
 inline FanLists fans_of(const PassSurface& surface) {

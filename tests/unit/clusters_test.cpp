@@ -14,39 +14,44 @@ using namespace detail;
 
 namespace {
 
-std::vector<int> origins(const CellFaceSet& set) {
+/// The origins of those that stay; face i has the origin 10 + i.
+std::vector<int> origins(const std::vector<Face>& faces, int threads = 1) {
+  Array<CellFace> all;
+  for (std::size_t i = 0; i < faces.size(); ++i) all.push_back({faces[i], 10 + int(i)});
   std::vector<int> result;
-  for (int i = 0; i < set.size(); ++i) result.push_back(set.origin(i));
+  for (const CellFace& face : DistinctFaces(all, 12, Parallel(threads)).left()) {
+    EXPECT_EQ(face.cells, faces[face.origin - 10]);
+    result.push_back(face.origin);
+  }
   return result;
 }
 
-TEST(CellFaceSet, KeepsOneOfThreeCellsInWhateverOrder) {
-  CellFaceSet set;
-  set.add({4, 2, 9}, 10), set.add({2, 9, 4}, 11), set.add({9, 4, 2}, 12), set.add({1, 2, 9}, 13);
-  EXPECT_EQ(origins(set), (std::vector<int>{10, 13}));
-  EXPECT_EQ(set.added(), 4);
+TEST(DistinctFaces, KeepOneOfThreeCellsInWhateverOrder) {
+  EXPECT_EQ(origins({{4, 2, 9}, {2, 9, 4}, {9, 4, 2}, {1, 2, 9}}), (std::vector<int>{10, 13}));
+  EXPECT_EQ(origins({}), std::vector<int>());
 }
 
-TEST(CellFaceSet, KeepsTheFirstOfTheMoreFrequentOrientation) {
-  CellFaceSet set;
-  set.add({1, 2, 3}, 10), set.add({1, 3, 2}, 11), set.add({2, 1, 3}, 12);
-  EXPECT_EQ(origins(set), (std::vector<int>{11}));
-  set.add({1, 2, 3}, 13);
-  EXPECT_EQ(origins(set), (std::vector<int>{10}));  // as many: the first of all
+TEST(DistinctFaces, KeepTheFirstOfTheMoreFrequentOrientation) {
+  EXPECT_EQ(origins({{1, 2, 3}, {1, 3, 2}, {2, 1, 3}}), (std::vector<int>{11}));
+  EXPECT_EQ(origins({{1, 2, 3}, {1, 3, 2}, {2, 1, 3}, {1, 2, 3}}),
+            (std::vector<int>{10}));  // as many: the first of all
 }
 
-TEST(CellFaceSet, MergedIsAsIfAllCameToOne) {
-  const std::vector<Face> faces = {{1, 2, 3}, {1, 3, 2}, {5, 6, 7},
-                                   {3, 2, 1}, {7, 6, 5}, {2, 1, 3}};
-  CellFaceSet all;
-  for (int f = 0; f < 6; ++f) all.add(faces[f], f);
-  for (int cut = 0; cut <= 6; ++cut) {
-    CellFaceSet first, second;
-    for (int f = 0; f < 6; ++f) (f < cut ? first : second).add(faces[f], f);
-    first.merge(second);
-    EXPECT_EQ(origins(first), origins(all)) << cut;
-    EXPECT_EQ(first.added(), all.added());
+TEST(DistinctFaces, StayInOrder) {
+  EXPECT_EQ(origins({{7, 8, 9}, {1, 2, 3}, {7, 9, 8}, {9, 8, 7}, {1, 2, 4}, {1, 3, 2}}),
+            (std::vector<int>{11, 12, 14}));
+}
+
+TEST(DistinctFaces, AreTheSameForAnyNumberOfThreads) {
+  std::vector<Face> faces;
+  for (int i = 0; i < 5000; ++i) {
+    const int a = i * 7 % 12, b = i * 5 % 11, c = i / 3 % 12;
+    if (a != b && b != c && c != a) faces.push_back({a, b, c});
   }
+  const std::vector<int> one = origins(faces);
+  EXPECT_GT(one.size(), 100u);
+  EXPECT_LT(one.size(), 221u);  // there are 220 triples
+  for (int threads : {2, 3, 5}) EXPECT_EQ(origins(faces, threads), one);
 }
 
 TEST(Clusters, OfOneCellHaveNoFace) {

@@ -26,7 +26,8 @@ constexpr double no_limit = 1e300;
 FanFaces faces_around(const PassSurface& surface, int v) {
   const FanLists fans = fans_of(surface);
   FanCorners corners;
-  EXPECT_TRUE(corners.gather(surface, fans, nothing_merged(surface), v, fans.of(v).begin()->next));
+  const int other = first_neighbour(surface, fans, v);
+  EXPECT_TRUE(corners.gather(surface, fans, nothing_merged(surface), v, other));
   return {surface, corners, surface.position[v], Vector3::Zero()};
 }
 
@@ -49,7 +50,7 @@ TEST(FanFaces, AddUpToTheMatrixAndTheAreaOfTheFaces) {
 TEST(FanFaces, TellTheAreaOfTheWings) {
   const Shape disk = fan(5);
   const PassSurface surface = surface_of(disk);
-  const int other = fans_of(surface).of(0).begin()->next;
+  const int other = first_neighbour(surface, fans_of(surface), 0);
   Vector3 wings = Vector3::Zero();
   for (const Corners& face : disk.faces)
     if (std::count(face.begin(), face.end(), other) > 0) {
@@ -167,7 +168,7 @@ TEST_F(Look, SeesNeighboursThatHaveMergedInThisPass) {
   const Shape ball = icosphere(2);
   PassSurface surface = surface_of(ball);
   const FanLists fans = fans_of(surface);
-  const int a = 0, b = fans.of(a).begin()->next;
+  const int a = 0, b = first_neighbour(surface, fans, a);
   std::vector<int> into = nothing_merged(surface);
   const FaceLimits limits;
   const auto before = FanCollapse(surface, fans, limits).look(a, b, into, no_limit);

@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <utility>
 #include <vector>
 
 #include "support/drawn_meshes.h"
@@ -16,14 +15,10 @@ using namespace detail;
 
 namespace {
 
-using List = std::vector<std::pair<int, int>>;  // faces, and the vertices that follow in them
-
 const auto everything = [](int) { return true; };
 
-List list(const FanLists& fans, int v) {
-  List list;
-  for (const auto& [face, next] : fans.of(v)) list.push_back({face, next});
-  return list;
+std::vector<int> list(const FanLists& fans, int v) {
+  return {fans.of(v).begin(), fans.of(v).end()};
 }
 
 FanLists fans_of(const std::vector<Face>& faces, int vertices, int threads = 1) {
@@ -39,11 +34,18 @@ std::vector<Face> disk(int sides) {
   return faces;
 }
 
-TEST(FanLists, HaveTheFacesInOrderWithTheVertexThatFollows) {
+TEST(FanLists, HaveTheFacesInOrder) {
   const FanLists fans = fans_of({{3, 2, 0}, {0, 1, 3}, {2, 1, 0}, {1, 2, 3}}, 5);
-  EXPECT_EQ(list(fans, 0), (List{{0, 3}, {1, 1}, {2, 2}}));
-  EXPECT_EQ(list(fans, 3), (List{{0, 2}, {1, 0}, {3, 1}}));
+  EXPECT_EQ(list(fans, 0), (std::vector<int>{0, 1, 2}));
+  EXPECT_EQ(list(fans, 3), (std::vector<int>{0, 1, 3}));
   EXPECT_TRUE(list(fans, 4).empty()) << "no face";
+}
+
+TEST(Face, HasACornerThatFollows) {
+  const Face face = {7, 3, 5};
+  EXPECT_EQ(next_in(face, 7), 3);
+  EXPECT_EQ(next_in(face, 3), 5);
+  EXPECT_EQ(next_in(face, 5), 7);
 }
 
 TEST(FanLists, LeaveOutVerticesOfVeryManyFaces) {

@@ -61,7 +61,7 @@ TEST_F(Ranks, TellHowFarAnEdgeReaches) {
     const FanLists fans = fans_of(grid_);
     int differences = 0;
     for (int end : {v, ranks_.partner(v)})
-      for (const FanCorner& corner : fans.of(end)) differences |= corner.next ^ v;
+      for (int f : fans.of(end)) differences |= next_in(grid_.faces[f], end) ^ v;
     EXPECT_EQ(differences >> bits, 0);
   }
 }

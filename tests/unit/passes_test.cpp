@@ -47,7 +47,7 @@ TEST(PassSurface, ClosesGapsInOrder) {
       EXPECT_EQ(surface.position[v], grid.vertices[surface.vertex_before[v]]);
     }
     for (int f = 0; f < surface.face_count(); ++f) {
-      const Corners& was = grid.faces[surface.face_before[f]];
+      const Corners& was = grid.faces[surface.face_origin[f]];
       for (int i = 0; i < 3; ++i)
         EXPECT_EQ(surface.vertex_before[surface.faces[f][i]], into[was[i]]);
     }

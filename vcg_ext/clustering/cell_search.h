@@ -2,8 +2,9 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
-#include <cstdlib>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -15,38 +16,42 @@ namespace curvdecim::detail {
 /// Looks for the diameter of the cells at which a number of faces is left.
 ///
 /// The number falls with the diameter nearly like a power, so that a secant through two logarithms
-/// finds the target in a few steps; where it jumps, bisection goes on. First estimates from a
-/// sample of the faces come near, then the clusters themselves are counted.
+/// finds the target in a few steps; where it jumps, bisection goes on. A sample of the faces tells
+/// about where to begin. What is counted are faces between three cells; which share of them is left
+/// without doubles, the clusters tell, and few of these have to be made.
 template <class ClusterAt>
 class CellSearch {
  public:
   /// cluster_at(diameter): the Clusters.
-  CellSearch(const FlatMesh& mesh, int target, ClusterAt cluster_at)
+  CellSearch(const FlatMesh& mesh, int target, const Parallel& parallel, ClusterAt cluster_at)
       : mesh_(mesh),
         target_(target),
+        parallel_(parallel),
         cluster_at_(std::move(cluster_at)),
         least_(std::log(CellGrid::least_diameter(mesh.half_size))),
-        largest_(std::log(CellGrid::largest_diameter(mesh.half_size))) {
-    const int count = static_cast<int>(mesh.faces.size()), step = count / most_samples + 1;
-    for (int f = 0; f < count; f += step)
-      if (FlatMesh::is_face(mesh.faces[f])) sample_.push_back(mesh.faces[f]);
-  }
+        largest_(std::log(CellGrid::largest_diameter(mesh.half_size))),
+        keys_(mesh.position.size()) {}
 
   /// The clusters whose number of faces is nearest to the target, of those tried; nullopt: all have
   /// none.
   std::optional<Clusters> run() {
-    const double start = estimated();
-    Secant steps(least_, largest_, start);
-    while (!is_good() && steps.goes_on()) steps.learn(count(steps.at()) / target_);
+    double at = nearest_to(estimated());
+    try_at(at);
+    for (int round = 1; round < most_rounds && !is_good(); ++round)
+      if (const double before = std::exchange(at, nearest_to(at)); at != before) try_at(at);
     for (int i = 1; i <= most_steps_aside && !is_good(); ++i)
-      for (int side : {-1, 1}) count(steps.at() + side * i * step_aside);
+      for (int side : {-1, 1})
+        if (const double aside = at + side * i * step_aside; promises(aside)) try_at(aside);
     return std::move(best_);
   }
 
  private:
   static constexpr int most_samples = 1 << 13;  // estimates then scatter by some per cent
   static constexpr double near = 0.03;          // so that they need not be nearer
+  static constexpr double close = 0.015;        // miss of a count, of the target
   static constexpr double good = 0.02;          // miss, of the target
+  static constexpr double none = std::numeric_limits<double>::infinity();
+  static constexpr int most_rounds = 4;  // the share is known after one or two
 
   // The numbers around a jump, found by bisection, rise and fall by some per cent.
   static constexpr int most_steps_aside = 3;
@@ -82,45 +87,95 @@ class CellSearch {
     int steps_ = 0;
   };
 
-  bool is_good() const { return best_ && std::abs(faces_of(*best_) - target_) <= good * target_; }
   static double faces_of(const Clusters& clusters) {
     return static_cast<double>(clusters.faces.size());
   }
+  /// No face at all is no result.
+  double miss(double faces) const { return faces > 0.0 ? std::abs(faces - target_) : none; }
+  bool is_good() const { return best_ && miss(faces_of(*best_)) <= good * target_; }
 
-  /// The number of faces, which is kept if it is the best so far.
-  double count(double at) {
-    Clusters clusters = cluster_at_(std::exp(std::clamp(at, least_, largest_)));
-    const double faces = faces_of(clusters);
-    if (faces > 0 && (!best_ || std::abs(faces - target_) < std::abs(faces_of(*best_) - target_)))
-      best_ = std::move(clusters);
-    return faces;
+  /// Whether it seems that its clusters would be better.
+  bool promises(double at) {
+    return !best_ || miss(share_ * crossing_at(at)) < miss(faces_of(*best_));
   }
 
-  /// Where the faces of the sample between three cells are as many as wanted.
+  /// Keeps the clusters if they are the best so far.
+  void try_at(double at) {
+    Clusters clusters = cluster_at_(diameter_at(at));
+    const double faces = faces_of(clusters);
+    if (faces > 0.0) share_ = faces / static_cast<double>(clusters.crossing);
+    if (faces > 0.0 && (!best_ || miss(faces) < miss(faces_of(*best_))))
+      best_ = std::move(clusters);
+  }
+
+  /// Where the counted faces, times the share, come nearest to the target, of what is tried.
+  double nearest_to(double start) {
+    Secant steps(least_, largest_, start);
+    double nearest = start, least = none;
+    while (steps.goes_on() && least > close * target_) {
+      const double faces = share_ * crossing_at(steps.at());
+      if (miss(faces) < least) least = miss(faces), nearest = steps.at();
+      steps.learn(faces / target_);
+    }
+    return nearest;
+  }
+
+  double diameter_at(double at) const { return std::exp(std::clamp(at, least_, largest_)); }
+
+  /// The faces between three cells.
+  double crossing_at(double at) {
+    const CellGrid grid(mesh_.half_size, diameter_at(at));
+    parallel_.for_each(static_cast<int>(keys_.size()), [&](int v) {
+      if (mesh_.role[v] != VertexRole::Unused) keys_[v] = cell_key(mesh_, grid, v);
+    });
+    std::atomic<int> count{0};
+    parallel_.for_ranges(static_cast<int>(mesh_.faces.size()), [&](int begin, int end, int) {
+      int crossing = 0;
+      for (int f = begin; f < end; ++f)
+        if (const Face& face = mesh_.faces[f]; FlatMesh::is_face(face))
+          crossing += is_between_three(keys_[face[0]], keys_[face[1]], keys_[face[2]]);
+      count += crossing;
+    });
+    return count;
+  }
+
+  static bool is_between_three(CellKey a, CellKey b, CellKey c) {
+    return a != b && b != c && c != a;
+  }
+
+  /// Where the faces of a sample between three cells are as many as wanted.
   double estimated() const {
-    const double wanted = static_cast<double>(target_) * sample_.size() / mesh_.face_count;
+    const std::vector<Face> sample = sampled();
+    const double wanted = target_ * static_cast<double>(sample.size()) / mesh_.face_count;
     Secant steps(least_, largest_, 0.5 * (least_ + largest_));
     for (double ratio = 0.0; steps.goes_on() && std::abs(ratio - 1.0) > near; steps.learn(ratio))
-      ratio = faces_of_sample(std::exp(steps.at())) / wanted;
+      ratio = crossing_of(sample, diameter_at(steps.at())) / wanted;
     return steps.at();
   }
 
-  int faces_of_sample(double diameter) const {
+  std::vector<Face> sampled() const {
+    const int count = static_cast<int>(mesh_.faces.size()), step = count / most_samples + 1;
+    std::vector<Face> sample;
+    for (int f = 0; f < count; f += step)
+      if (FlatMesh::is_face(mesh_.faces[f])) sample.push_back(mesh_.faces[f]);
+    return sample;
+  }
+
+  int crossing_of(const std::vector<Face>& sample, double diameter) const {
     const CellGrid grid(mesh_.half_size, diameter);
-    int count = 0;
-    for (const Face& face : sample_) {
-      const CellKey a = cell_key(mesh_, grid, face[0]), b = cell_key(mesh_, grid, face[1]),
-                    c = cell_key(mesh_, grid, face[2]);
-      count += a != b && b != c && c != a;
-    }
-    return count;
+    const auto key = [&](int v) { return cell_key(mesh_, grid, v); };
+    return static_cast<int>(std::count_if(sample.begin(), sample.end(), [&](const Face& face) {
+      return is_between_three(key(face[0]), key(face[1]), key(face[2]));
+    }));
   }
 
   const FlatMesh& mesh_;
   const double target_;
+  const Parallel& parallel_;
   const ClusterAt cluster_at_;
   const double least_, largest_;  // logarithms of the diameter
-  std::vector<Face> sample_;
+  Array<CellKey> keys_;           // by vertex
+  double share_ = 1.0;            // of the faces between three cells, that is left
   std::optional<Clusters> best_;
 };
 

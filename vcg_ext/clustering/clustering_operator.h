@@ -52,9 +52,9 @@ class ClusteringOperator {
   /// Throws CancelRequest, and InputError where no face would be left.
   Clustering run() const {
     const auto cluster_at = [this](double size) { return faces_between_cells(size); };
-    std::optional<Clusters> clusters = plan_.target > 0
-                                           ? CellSearch(mesh_, plan_.target, cluster_at).run()
-                                           : faces_between_cells(plan_.diameter);
+    std::optional<Clusters> clusters =
+        plan_.target > 0 ? CellSearch(mesh_, plan_.target, parallel_, cluster_at).run()
+                         : faces_between_cells(plan_.diameter);
     if (!clusters || clusters->faces.empty())
       throw InputError(
           "No face would be left: the cells are too large for the mesh. Choose a smaller "

@@ -19,9 +19,6 @@ inline std::uint64_t hash_of(std::uint64_t key) { return mixed(key); }
 inline std::uint64_t hash_of(const std::array<int, 2>& key) {
   return mixed(std::uint64_t(std::uint32_t(key[0])) << 32 | std::uint32_t(key[1]));
 }
-inline std::uint64_t hash_of(const std::array<int, 3>& key) {
-  return mixed(hash_of(std::array<int, 2>{key[0], key[1]}) + std::uint32_t(key[2]));
-}
 inline std::uint64_t hash_of(const std::array<std::uint64_t, 3>& key) {
   return mixed(mixed(mixed(key[0]) + key[1]) + key[2]);
 }

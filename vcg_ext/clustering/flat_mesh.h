@@ -8,6 +8,7 @@
 #include "vcg_ext/geometry/triangle.h"
 #include "vcg_ext/geometry/unit_box.h"
 #include "vcg_ext/mesh/triangle_connectivity.h"
+#include "vcg_ext/parallel/array.h"
 #include "vcg_ext/parallel/pieces.h"
 
 namespace curvdecim::detail {
@@ -33,9 +34,9 @@ enum class VertexRole : std::uint8_t {
 struct FlatMesh {
   static constexpr Face no_face = {-1, -1, -1};
 
-  std::vector<Vector3> position;        // by vertex, in the unit box; set where it is in use
-  std::vector<VertexRole> role;         // by vertex
-  std::vector<Face> faces;              // by face; no_face: it is deleted or must stay
+  Array<Vector3> position;              // by vertex, in the unit box; set where it is in use
+  Array<VertexRole> role;               // by vertex
+  Array<Face> faces;                    // by face; no_face: it is deleted or must stay
   std::vector<Face> staying;            // the living faces that must stay
   int face_count = 0;                   // of those that may change
   UnitBox box;                          // of the vertices in use

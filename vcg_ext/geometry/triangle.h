@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cmath>
-#include <vector>
 
 #include "vcg_ext/geometry/vector3.h"
 
@@ -12,8 +11,8 @@ namespace curvdecim::detail {
 using Triangle = std::array<Vector3, 3>;
 
 /// The one with these corners; position: by vertex.
-inline Triangle triangle_of(const std::vector<Vector3>& position,
-                            const std::array<int, 3>& corners) {
+template <class Positions>
+Triangle triangle_of(const Positions& position, const std::array<int, 3>& corners) {
   return {position[corners[0]], position[corners[1]], position[corners[2]]};
 }
 

@@ -34,8 +34,15 @@ class CurvatureWeightedMetric {
 
   bool allows_passes() const { return weighs_planes() && quadric_.allows_passes(); }
 
-  PassWeight pass_weight(int v) const {
-    return {saturation_[v], area_[v], static_cast<float>(quadric_.factor(v))};
+  /// By vertex. They are the passes' until resume().
+  std::vector<PassWeight> take_weights(const Parallel& parallel) {
+    const auto saturation = std::move(saturation_), area = std::move(area_);
+    const std::vector<float> factor = quadric_.take_factors();
+    std::vector<PassWeight> weights(saturation.size());
+    parallel.for_each(static_cast<int>(weights.size()), [&](int v) {
+      weights[v] = {saturation[v], area[v], factor[v]};
+    });
+    return weights;
   }
 
   /// The weight of a vertex that two have become.
@@ -52,10 +59,13 @@ class CurvatureWeightedMetric {
 
   void resume(const std::vector<SmallQuadric>& memory, const std::vector<PassWeight>& weights,
               const Parallel& parallel) {
+    std::vector<float> factors(weights.size());
     saturation_.resize(weights.size()), area_.resize(weights.size());
-    for (std::size_t v = 0; v < weights.size(); ++v)
-      saturation_[v] = weights[v].saturation, area_[v] = weights[v].area;
-    quadric_.resume(memory, weights, parallel);
+    for (std::size_t v = 0; v < weights.size(); ++v) {
+      const PassWeight& weight = weights[v];
+      saturation_[v] = weight.saturation, area_[v] = weight.area, factors[v] = weight.factor;
+    }
+    quadric_.resume(memory, std::move(factors), parallel);
   }
 
   // --- costs

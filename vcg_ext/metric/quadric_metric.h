@@ -65,17 +65,24 @@ class QuadricMetric {
     return remembered;
   }
 
-  PassWeight pass_weight(int v) const { return {1.0f, 0.0f, static_cast<float>(factor(v))}; }
+  /// By vertex. They are the passes' until resume().
+  std::vector<PassWeight> take_weights(const Parallel&) const {
+    return std::vector<PassWeight>(mesh_.position.size(), PassWeight{});
+  }
+  std::vector<float> take_factors() { return std::move(factor_); }
 
   /// The weight of a vertex that two have become.
   static PassWeight merged(const PassWeight&, const PassWeight&) { return {}; }
 
   /// On the mesh as it is now.
-  void resume(const std::vector<SmallQuadric>& remembered, const std::vector<PassWeight>& weights,
+  void resume(const std::vector<SmallQuadric>& remembered, const std::vector<PassWeight>&,
               const Parallel& parallel) {
+    resume(remembered, std::vector<float>(), parallel);
+  }
+  void resume(const std::vector<SmallQuadric>& remembered, std::vector<float> factors,
+              const Parallel& parallel) {
+    factor_ = std::move(factors);
     const int count = static_cast<int>(remembered.size());
-    if (!factor_.empty()) factor_.resize(count);
-    for (std::size_t v = 0; v < factor_.size(); ++v) factor_[v] = weights[v].factor;
     sum_.resize(count);
     parallel.for_each(count, [&](int v) {
       sum_[v] = Carried(remembered[v].quadric());

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 #include <optional>
 #include <type_traits>
 #include <utility>
@@ -15,7 +14,7 @@
 namespace curvdecim::detail {
 
 /// Tells whether passes can compute as a metric does: it has allows_passes(), remember(parallel),
-/// pass_weight(v), merged(weight, weight) and resume(memory, weights, parallel).
+/// take_weights(parallel), merged(weight, weight) and resume(memory, weights, parallel).
 template <class MetricType, class = void>
 struct HasPasses : std::false_type {};
 template <class MetricType>
@@ -39,22 +38,20 @@ inline bool is_closed_fan(const WorkingMesh& mesh, int v) {
 /// has to follow. nullopt, with the mesh as it was: too much of it is to be held.
 template <class MetricType>
 std::optional<PassSurface> split(WorkingMesh& mesh, MetricType& metric, const Parallel& parallel) {
-  const int vertices = mesh.connectivity.vertex_slots(), faces = mesh.connectivity.face_slots();
+  const int vertices = mesh.connectivity.vertex_slots();
   PassSurface surface;
   surface.held.resize(vertices);
   parallel.for_each(vertices,
                     [&](int v) { surface.held[v] = !is_closed_fan(mesh, v) || mesh.locked[v]; });
   if (!surface.is_mostly_free()) return std::nullopt;
   surface.memory = metric.remember(parallel);  // with planes and lists, which can go then
-  surface.weight.resize(vertices);
-  parallel.for_each(vertices, [&](int v) { surface.weight[v] = metric.pass_weight(v); });
+  surface.weight = metric.take_weights(parallel);
   Array<FacePlane>().swap(mesh.plane);
   surface.faces = mesh.connectivity.release_faces();
   surface.position = std::exchange(mesh.position, {});
   surface.importance.assign(mesh.importance.begin(), mesh.importance.end());
-  surface.vertex_before.resize(vertices), surface.face_before.resize(faces);
-  std::iota(surface.vertex_before.begin(), surface.vertex_before.end(), 0);
-  std::iota(surface.face_before.begin(), surface.face_before.end(), 0);
+  surface.vertex_before = std::exchange(mesh.vertex_origin, {});  // the same, as it is new
+  surface.face_origin = std::exchange(mesh.face_origin, {});
   return surface;
 }
 
@@ -69,8 +66,9 @@ void join(PassSurface surface, WorkingMesh& mesh, MetricType& metric, const Para
     array.shrink_to_fit();
   };
   keep_left(surface.vertex_before, mesh.kind), keep_left(surface.vertex_before, mesh.locked);
-  keep_left(surface.vertex_before, mesh.vertex_origin);
-  keep_left(surface.face_before, mesh.face_origin);
+  surface.vertex_before.shrink_to_fit(), surface.face_origin.shrink_to_fit();
+  mesh.vertex_origin = std::move(surface.vertex_before);
+  mesh.face_origin = std::move(surface.face_origin);
   mesh.connectivity = TriangleConnectivity(std::move(surface.faces),
                                            static_cast<int>(mesh.position.size()), parallel);
   mesh.update_planes(parallel);

@@ -24,8 +24,9 @@ class FanCorners {
               int other) {
     center_ = v, size_ = wings;
     next_[0] = next_[1] = none;
-    for (const auto& [f, after] : fans.of(v)) {
+    for (int f : fans.of(v)) {
       const Face& face = surface.faces[f];
+      const int after = next_in(face, v);
       const int next = into[after], last = into[face[0] ^ face[1] ^ face[2] ^ v ^ after];
       if (next == last) continue;  // it has become an edge
       const int with = next == other, against = last == other;

@@ -9,17 +9,15 @@
 
 namespace curvdecim::detail {
 
-/// A face at a vertex, and its corner that follows there.
-struct FanCorner {
-  int face, next;
-};
+/// The corner of a face that follows v.
+inline int next_in(const Face& face, int v) {
+  return face[0] == v ? face[1] : face[1] == v ? face[2] : face[0];
+}
 
 /// The faces around every vertex, in the order of their numbers. The lists lie one after the other.
 class FanLists {
  public:
   static constexpr int longest = 16;  ///< faces: others have very many, and are left out
-
-  using Fan = ElementRange<FanCorner>;
 
   /// wanted(v): whether v's list is.
   template <class Wanted>
@@ -29,19 +27,17 @@ class FanLists {
       for (int v : faces[f])
         if (wanted(v)) count_in(v);
     });
-    corners_.resize(places_.begin().back());
+    faces_.resize(places_.begin().back());
     places_.fill(parallel, [&](int f, auto place_in) {
-      const auto [a, b, c] = faces[f];
-      if (wanted(a)) corners_[place_in(a)] = {f, b};
-      if (wanted(b)) corners_[place_in(b)] = {f, c};
-      if (wanted(c)) corners_[place_in(c)] = {f, a};
+      for (int v : faces[f])
+        if (wanted(v)) faces_[place_in(v)] = f;
     });
   }
 
   /// Empty where there is none.
-  Fan of(int v) const {
+  IndexRange of(int v) const {
     const int begin = places_.begin()[v], size = places_.begin()[v + 1] - begin;
-    const FanCorner* const first = corners_.data() + begin;
+    const int* const first = faces_.data() + begin;
     return {first, first + (size <= longest ? size : 0)};
   }
 
@@ -49,7 +45,7 @@ class FanLists {
 
  private:
   BucketPlaces places_;  // a bucket a vertex
-  Array<FanCorner> corners_;
+  Array<int> faces_;     // around the first vertex, then around the next
 };
 
 }  // namespace curvdecim::detail

@@ -26,15 +26,13 @@ class PassRanks {
   static constexpr int none = -1;
 
   void measure(const PassSurface& surface, const FanLists& fans, const Parallel& parallel) {
-    const int vertices = surface.vertex_count(), faces = surface.face_count();
-    point_.resize(vertices), quadric_.resize(vertices);
+    const int vertices = surface.vertex_count();
+    point_.resize(vertices), matrix_.resize(vertices);
     partner_.resize(vertices), rank_.resize(vertices), reach_.resize(vertices);
-    plane_.resize(faces);
     parallel.for_each(vertices, [&](int v) {
       point_[v].lanes = row(surface.position[v], surface.weight[v].factor);
     });
-    parallel.for_each(lane_groups(faces), [&](int group) { measure_planes(surface, group); });
-    parallel.for_each(vertices, [&](int v) { propose(surface, fans, v); });
+    propose(surface, fans, parallel);
     parallel.for_each(lane_groups(vertices), [&](int group) { rank(surface, group); });
   }
 
@@ -45,7 +43,7 @@ class PassRanks {
 
   /// The edge that v proposes and the faces at its ends have only vertices whose numbers agree with
   /// v's but for the lowest bits, so many.
-  int reach(int v) const { return bits_of(reach_[v] | reach_[partner_[v]]); }
+  int reach(int v) const { return std::max(reach_[v], reach_[partner_[v]]); }
 
   /// Takes the cheapest proposals, so many and at most this share of them, and drops the others. Of
   /// those that cost the same some are left out evenly. Returns the highest rank.
@@ -66,14 +64,25 @@ class PassRanks {
     Lanes lanes;
   };
 
-  static int bits_of(std::uint32_t x) {
-    int bits = 0;
+  struct Matrix {
+    float xx, yy, zz, xy, yz, xz;
+  };
+
+  static std::uint8_t bits_of(std::uint32_t x) {
+    std::uint8_t bits = 0;
     for (; x != 0; x >>= 1) ++bits;
     return bits;
   }
 
-  /// Roots of the faces' matrices: each is the outer product of a vector with itself.
-  void measure_planes(const PassSurface& surface, int group) {
+  /// With the roots of the faces' matrices: each is the outer product of a vector with itself.
+  void propose(const PassSurface& surface, const FanLists& fans, const Parallel& parallel) {
+    Array<Row> roots(surface.face_count());
+    parallel.for_each(lane_groups(surface.face_count()),
+                      [&](int group) { measure_roots(surface, group, roots); });
+    parallel.for_each(surface.vertex_count(), [&](int v) { propose(surface, fans, roots, v); });
+  }
+
+  void measure_roots(const PassSurface& surface, int group, Array<Row>& roots) const {
     const int first = lane_count * group;
     const auto face = [&](int lane) -> const Face& {
       return surface.faces[std::min(first + lane, surface.face_count() - 1)];
@@ -88,30 +97,31 @@ class PassRanks {
     const Columns rows(m.x, m.y, m.z, Lanes{});
     const std::array<Lanes, lane_count> of_lane = {rows.at.x, rows.at.y, rows.at.z, rows.w};
     for (int lane = 0; lane < lane_count && first + lane < surface.face_count(); ++lane)
-      plane_[first + lane].lanes = of_lane[lane];
+      roots[first + lane].lanes = of_lane[lane];
   }
 
   /// Adds the planes of the faces around v to what it remembers.
-  void propose(const PassSurface& surface, const FanLists& fans, int v) {
+  void propose(const PassSurface& surface, const FanLists& fans, const Array<Row>& roots, int v) {
     partner_[v] = none;
-    const FanLists::Fan fan = fans.of(v);
+    const IndexRange fan = fans.of(v);
     if (fan.size() == 0) return;
-    SmallQuadric& q = quadric_[v] = surface.memory[v];
-    Lanes diagonal = load(&q.xx), others = load(&q.xy);  // with c and bx in the last
-    for (const FanCorner& corner : fan) {
-      const Lanes m = plane_[corner.face].lanes;
+    const SmallQuadric& memory = surface.memory[v];
+    Lanes diagonal = load(&memory.xx), others = load(&memory.xy);  // the last are other numbers
+    for (int f : fan) {
+      const Lanes m = roots[f].lanes;
       diagonal += m * m, others += m * yzx(m);
     }
-    std::memcpy(&q.xx, &diagonal, sizeof diagonal), std::memcpy(&q.xy, &others, sizeof others);
+    matrix_[v] = {diagonal[0], diagonal[1], diagonal[2], others[0], others[1], others[2]};
     float least = std::numeric_limits<float>::infinity();
     std::uint32_t differences = 0;
-    for (const FanCorner& corner : fan) {
-      differences |= static_cast<std::uint32_t>(corner.next ^ v);
-      const Lanes step = point_[corner.next].lanes - point_[v].lanes;
+    for (int f : fan) {
+      const int next = next_in(surface.faces[f], v);
+      differences |= static_cast<std::uint32_t>(next ^ v);
+      const Lanes step = point_[next].lanes - point_[v].lanes;
       const float lift = sum3(diagonal * (step * step) + 2.0f * others * (step * yzx(step)));
-      if (lift < least && fans.has(corner.next)) least = lift, partner_[v] = corner.next;
+      if (lift < least && fans.has(next)) least = lift, partner_[v] = next;
     }
-    reach_[v] = differences;
+    reach_[v] = bits_of(differences);
   }
 
   /// Short edges first where nothing else tells them apart.
@@ -126,7 +136,8 @@ class PassRanks {
     const Columns at_v = Columns::of([&](int lane) { return point_[v[lane]].lanes; });
     const Columns at_u = Columns::of([&](int lane) { return point_[u[lane]].lanes; });
     const VectorLanes step = at_u.at - at_v.at;
-    const VertexLanes<Lanes> p = lanes_at(v, VectorLanes{}), q = lanes_at(u, step);
+    const VertexLanes<Lanes> p = lanes_at(surface, v, VectorLanes{}),
+                             q = lanes_at(surface, u, step);
     const Lanes cost = least_costs(p, q, scale);
     const Lanes trace = p.xx + p.yy + p.zz + q.xx + q.yy + q.zz;
     const Lanes factor = 0.5f * (at_v.w + at_u.w);
@@ -138,17 +149,17 @@ class PassRanks {
   }
 
   /// The vertices `which`, at `at`.
-  VertexLanes<Lanes> lanes_at(const std::array<int, lane_count>& which,
+  VertexLanes<Lanes> lanes_at(const PassSurface& surface, const std::array<int, lane_count>& which,
                               const VectorLanes& at) const {
-    const auto columns = [&](float SmallQuadric::*first) {
-      return Columns::of([&](int lane) { return load(&(quadric_[which[lane]].*first)); });
+    const auto columns = [&](auto first_of) {
+      return Columns::of([&](int lane) { return load(first_of(which[lane])); });
     };
-    const Columns diagonal = columns(&SmallQuadric::xx);
-    const Columns others = columns(&SmallQuadric::xy);
-    const Columns linear = columns(&SmallQuadric::xz);  // the last of the others, and b
-    return {at.x,        at.y,          at.z,        diagonal.at.x, others.at.x,
-            others.at.z, diagonal.at.y, others.at.y, diagonal.at.z, linear.at.y,
-            linear.at.z, linear.w,      diagonal.w};
+    const Columns first = columns([&](int v) { return &matrix_[v].xx; });
+    const Columns last = columns([&](int v) { return &matrix_[v].zz; });
+    const Columns linear = columns([&](int v) { return &surface.memory[v].xz; });    // and b
+    const Columns constant = columns([&](int v) { return &surface.memory[v].xx; });  // the last: c
+    return {at.x,      at.y,       at.z,        first.at.x,  first.w,  last.w,    first.at.y,
+            last.at.z, first.at.z, linear.at.y, linear.at.z, linear.w, constant.w};
   }
 
   static constexpr CostScale<float> scale{float(relative_pull), 1e-12f};  // a millionth of the edge
@@ -177,12 +188,11 @@ class PassRanks {
     }
   }
 
-  Array<Row> point_;             // by vertex: its position, and the factor on its planes
-  Array<Row> plane_;             // by face
-  Array<SmallQuadric> quadric_;  // by vertex: of its faces and its memory
-  Array<int> partner_;           // by vertex
-  Array<float> rank_;            // by vertex
-  Array<std::uint32_t> reach_;   // by vertex: bits in which a neighbour's number differs
+  Array<Row> point_;           // by vertex: its position, and the factor on its planes
+  Array<Matrix> matrix_;       // by vertex: of its faces and its memory
+  Array<int> partner_;         // by vertex
+  Array<float> rank_;          // by vertex
+  Array<std::uint8_t> reach_;  // by vertex: bits in which a neighbour's number differs
 };
 
 }  // namespace curvdecim::detail

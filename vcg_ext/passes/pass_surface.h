@@ -40,7 +40,7 @@ struct PassSurface {
   std::vector<std::uint8_t> held;    // by vertex: 1 if no pass may touch it
   std::vector<int> vertex_before;    // by vertex: its number before the passes
   std::vector<Face> faces;           // none is degenerate
-  std::vector<int> face_before;      // by face: its number before the passes
+  std::vector<int> face_origin;      // by face: as a WorkingMesh has it
 
   /// Times the length of a double area vector and the factors of a face's three corners: the weight
   /// of its plane.
@@ -80,7 +80,7 @@ struct PassSurface {
     keep_only(stays, parallel, position), keep_only(stays, parallel, memory);
     keep_only(stays, parallel, weight), keep_only(stays, parallel, importance);
     keep_only(stays, parallel, held), keep_only(stays, parallel, vertex_before);
-    keep_only(left, parallel, faces), keep_only(left, parallel, face_before);
+    keep_only(left, parallel, faces), keep_only(left, parallel, face_origin);
   }
 };
 
