@@ -279,8 +279,8 @@ class TriangleConnectivity {
       lists_[v] = {begin[v], size, size};
     });
     face_count_ = face_slots();
-    vertex_count_ = static_cast<int>(std::count_if(
-        lists_.begin(), lists_.end(), [](const List& list) { return list.size > 0; }));
+    vertex_count_ = static_cast<int>(std::count_if(lists_.begin(), lists_.end(),
+                                                   [](const List& list) { return list.size > 0; }));
   }
 
   void append(List& list, int f) { pool_[list.begin + list.size++] = f; }

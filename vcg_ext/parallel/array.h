@@ -14,10 +14,12 @@ template <class T>
 struct LeavesUnset : std::allocator<T> {
   static_assert(std::is_trivially_destructible_v<T>);
 
+  // NOLINTBEGIN(readability-identifier-naming): the standard's names
   template <class U>
   struct rebind {
     using other = LeavesUnset<U>;
   };
+  // NOLINTEND(readability-identifier-naming)
 
   LeavesUnset() = default;
   template <class U>
