@@ -32,10 +32,11 @@ class Samples:
 
 @dataclass(frozen=True)
 class Hits:
-    """Closest points on a surface: distance (m,) in its unit, face (m,) index."""
+    """Closest points on a surface: distance (m,) in its unit, face (m,) index, point (m, 3)."""
 
     distance: Floats
     face: Ints
+    point: Floats
 
 
 class Surface:
@@ -109,10 +110,10 @@ class Surface:
     def closest(self, points: Floats) -> Hits:
         """The exact closest point of every point (m, 3); zero-area faces are never hit."""
         tree, solid = self._tree
-        squared, face, _ = tree.squared_distance(
+        squared, face, point = tree.squared_distance(
             self.vertices, solid, np.ascontiguousarray(points, dtype=np.float64)
         )
-        return Hits(np.sqrt(np.maximum(squared, 0)), self._solid_faces[face])
+        return Hits(np.sqrt(np.maximum(squared, 0)), self._solid_faces[face], point)
 
     def sample(self, count: int, seed: int) -> Samples:
         """`count` points, one in each of `count` equal shares of the area; fixed by the seed."""
