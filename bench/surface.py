@@ -159,12 +159,14 @@ class Surface:
 
     def at_closest(self, of_vertex: Floats, points: Floats) -> Floats:
         """(m,): what the vertices' values (n,) are at the closest point of every point (m, 3)."""
-        tree, solid = self._tree
-        points = np.ascontiguousarray(points, dtype=np.float64)
-        _, face, closest = tree.squared_distance(self.vertices, solid, points)
-        a, b, c = (np.ascontiguousarray(self.vertices[solid[face, i]]) for i in range(3))
-        weights = igl.barycentric_coordinates(closest, a, b, c)
-        return np.einsum("ij,ij->i", weights, of_vertex[solid[face]])
+        hits = self.closest(points)
+        weights = self.barycentric(hits)
+        return np.einsum("ij,ij->i", weights, of_vertex[self.faces[hits.face]])
+
+    def barycentric(self, hits: Hits) -> Floats:
+        """(m, 3): the weights of the corners of the faces that were hit."""
+        corners = self.corners[hits.face].swapaxes(0, 1)
+        return igl.barycentric_coordinates(hits.point, *map(np.ascontiguousarray, corners))
 
 
 def _uniform_barycentric(generator: np.random.Generator, count: int) -> Floats:

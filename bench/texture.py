@@ -116,9 +116,7 @@ class TextureJudge:
 
     def _is_far(self, samples: Samples, pages: Ints, there: Floats) -> NDArray[np.bool_]:
         hits = self.original.surface.closest(samples.points)
-        expected = self.original.at(
-            hits.face, _barycentric(self.original.surface.corners[hits.face], hits.point)
-        )
+        expected = self.original.at(hits.face, self.original.surface.barycentric(hits))
         is_elsewhere = pages != self.original.pages[hits.face]
         return is_elsewhere | (np.linalg.norm(there - expected, axis=1) > FAR)
 
@@ -229,15 +227,6 @@ def _nearest_in_plane(triangles: Floats, points: Floats) -> tuple[Floats, Floats
         weights[nearer] = 0.0
         weights[nearer, i], weights[nearer, j] = 1 - t[nearer], t[nearer]
     return weights, distance
-
-
-def _barycentric(triangles: Floats, points: Floats) -> Floats:
-    """Weights (k, 3) of points (k, 3) that lie on triangles (k, 3, 3) with an area."""
-    a, b, c = triangles.swapaxes(0, 1)
-    normal = np.cross(b - a, c - a)
-    pairs = ((b, c), (c, a), (a, b))
-    parts = [(np.cross(p - points, q - points) * normal).sum(axis=1) for p, q in pairs]
-    return np.stack(parts, axis=1) / (normal**2).sum(axis=1)[:, None]
 
 
 def _border_edges(surface: Surface) -> int:

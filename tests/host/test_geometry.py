@@ -30,9 +30,6 @@ MESHLAB_DEFAULTS = {
 }
 # A small face at the tip of an ear costs next to nothing: on a scan one in so many may be turned.
 FACES_A_FLIP = 10000
-# A knife's edge in so many faces is the tip of an ear. Steps that make one cannot be refused: thin
-# parts need them (a chair to 1 % has 2.3 times the error then, a sensor 50 times).
-FACES_A_FOLD = 1000
 CASES = pytest.mark.parametrize(
     ("name", "fraction"),
     [
@@ -77,7 +74,7 @@ def test_hardly_a_face_is_flipped(name, fraction):
     shape, _ = decimated(name, fraction)
     few = max(int(fraction < 0.1), len(shape.faces) // FACES_A_FLIP)
     assert flipped_faces(original(name), shape) <= few
-    assert folded_edges(shape) <= folded_edges(original(name)) + len(shape.faces) // FACES_A_FOLD
+    assert folded_edges(shape) <= folded_edges(original(name))
 
 
 @CASES

@@ -92,20 +92,18 @@ class CellSearch {
   }
   /// No face at all is no result.
   double miss(double faces) const { return faces > 0.0 ? std::abs(faces - target_) : none; }
-  bool is_good() const { return best_ && miss(faces_of(*best_)) <= good * target_; }
+  double least_miss() const { return best_ ? miss(faces_of(*best_)) : none; }
+  bool is_good() const { return least_miss() <= good * target_; }
 
   /// Whether it seems that its clusters would be better.
-  bool promises(double at) {
-    return !best_ || miss(share_ * crossing_at(at)) < miss(faces_of(*best_));
-  }
+  bool promises(double at) { return miss(share_ * crossing_at(at)) < least_miss(); }
 
   /// Keeps the clusters if they are the best so far.
   void try_at(double at) {
     Clusters clusters = cluster_at_(diameter_at(at));
     const double faces = faces_of(clusters);
     if (faces > 0.0) share_ = faces / static_cast<double>(clusters.crossing);
-    if (faces > 0.0 && (!best_ || miss(faces) < miss(faces_of(*best_))))
-      best_ = std::move(clusters);
+    if (miss(faces) < least_miss()) best_ = std::move(clusters);
   }
 
   /// Where the counted faces, times the share, come nearest to the target, of what is tried.

@@ -2,15 +2,10 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
-#include <tuple>
-#include <utility>
 #include <vector>
 
-#include "vcg_ext/mesh/triangle_connectivity.h"
-#include "vcg_ext/parallel/array.h"
-#include "vcg_ext/parallel/bucket_places.h"
+#include "vcg_ext/mesh/face_keys.h"
 
 namespace curvdecim::detail {
 
@@ -21,23 +16,18 @@ struct CellFace {
 };
 
 /// Faces between cells of which several may have the same three: the one stays that comes first
-/// among those of the more frequent orientation. Faces lie in buckets by their least cell, so that
-/// all cores can compare them.
+/// among those of the more frequent orientation.
 class DistinctFaces {
  public:
   DistinctFaces(const Array<CellFace>& faces, int cells, const Parallel& parallel)
       : faces_(faces), stays_(faces.size(), 0) {
     const int count = static_cast<int>(faces.size());
-    const auto least = [&](int i) {
-      const auto [a, b, c] = faces[i].cells;
-      return std::min({a, b, c});
-    };
-    BucketPlaces places;
-    places.count(count, cells, parallel, [&](int i, auto count_in) { count_in(least(i)); });
-    Array<Entry> entries(count);
-    places.fill(parallel, [&](int i, auto place_in) { entries[place_in(least(i))] = entry(i); });
-    parallel.for_each(cells, [&](int c) {
-      choose(entries.data() + places.begin()[c], entries.data() + places.begin()[c + 1]);
+    const auto cells_of = [&](int i) -> const Face& { return faces[i].cells; };
+    const Array<FaceKey> keys =
+        ordered_keys(count, cells, parallel, cells_of, [](int) { return true; });
+    parallel.for_each(count, [&](int i) {
+      if (i == 0 || !have_the_same_vertices(keys[i - 1], keys[i]))
+        stays_[chosen(&keys[i], keys.data() + count)] = 1;
     });
   }
 
@@ -50,43 +40,19 @@ class DistinctFaces {
   }
 
  private:
-  struct Entry {
-    int middle, largest;  // cells
-    int face;
-    bool even;  // whether an even number of swaps sorts the cells
-  };
-
-  Entry entry(int i) const {
-    Face cells = faces_[i].cells;
-    bool even = true;
-    const auto order = [&](int& a, int& b) {
-      if (a > b) std::swap(a, b), even = !even;
+  /// The face that stays of those that have the same cells as the first one; the first of all where
+  /// both orientations are as frequent.
+  int chosen(const FaceKey* first, const FaceKey* end) const {
+    const auto ascends = [&](const FaceKey& key) {
+      return next_in(faces_[key.back()].cells, key[0]) == key[1];
     };
-    order(cells[0], cells[1]), order(cells[1], cells[2]), order(cells[0], cells[1]);
-    return {cells[1], cells[2], i, even};
-  }
-
-  /// Of a bucket.
-  void choose(Entry* begin, Entry* end) {
-    const auto rank = [](const Entry& e) { return std::tuple(e.middle, e.largest, e.face); };
-    std::sort(begin, end, [&](const Entry& a, const Entry& b) { return rank(a) < rank(b); });
-    for (const Entry* at = begin; at != end;) {
-      const Entry* const first = at;
-      const auto is_other = [&](const Entry& e) {
-        return e.middle != first->middle || e.largest != first->largest;
-      };
-      at = std::find_if(first, static_cast<const Entry*>(end), is_other);
-      stays_[chosen(first, at)->face] = 1;
-    }
-  }
-
-  /// Of faces between the same three, in the order in which they came; the first of all where both
-  /// orientations are as frequent.
-  static const Entry* chosen(const Entry* begin, const Entry* end) {
-    const auto even = std::count_if(begin, end, [](const Entry& e) { return e.even; });
-    const auto odd = end - begin - even;
-    if (even == odd) return begin;
-    return std::find_if(begin, end, [&](const Entry& e) { return e.even == (even > odd); });
+    const FaceKey* const last = std::find_if_not(
+        first, end, [&](const FaceKey& key) { return have_the_same_vertices(*first, key); });
+    const auto up = std::count_if(first, last, ascends), down = last - first - up;
+    if (up == down) return first->back();
+    return std::find_if(first, last,
+                        [&](const FaceKey& key) { return ascends(key) == (up > down); })
+        ->back();
   }
 
   const Array<CellFace>& faces_;

@@ -19,12 +19,11 @@ class NearPoints {
   /// which: the points that count, ascending; distance > 0.
   NearPoints(const std::vector<Vector3>& points, const std::vector<int>& which, double distance,
              const Parallel& parallel)
-      : points_(points), distance_(distance), order_(which.size()) {
-    parallel.for_each(static_cast<int>(which.size()), [&](int i) {
-      order_[i] = {key(points[which[i]]), which[i]};
-    });
-    radix_sort(order_, 3 * bits, parallel);
-  }
+      : points_(points),
+        distance_(distance),
+        order_(sorted_by_key(static_cast<int>(which.size()), 3 * bits, parallel, [&](int i) {
+          return Keyed{key(points[which[i]]), which[i]};
+        })) {}
 
   /// use(p, q) for every two points that are closer than the distance, once. Time: O(n + pairs).
   template <class Use>

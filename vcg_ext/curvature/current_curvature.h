@@ -50,7 +50,7 @@ class CurrentCurvature {
   void renumber(const Renumbering& numbers) { numbers.faces(angles_), numbers.vertices(sums_); }
 
  private:
-  /// But for the corners on the edge.
+  /// Takes face f from the sums of its corners that are not on the edge.
   void leave(int f, Edge edge) {
     for (int i = 0; i < 3; ++i)
       if (const int v = mesh_.connectivity.face(f)[i]; v != edge.a && v != edge.b)

@@ -54,7 +54,7 @@ struct FaceCorner {
     to_last = mesh.position[mesh.connectivity.third_vertex(f, v, next)] - mesh.position[v];
   }
 
-  /// Of its angle, both times the same: the area tells the sine.
+  /// Cosine and sine of the angle there, both times the same: the area tells the sine.
   double cosine() const { return to_next.dot(to_last); }
   double sine() const { return 2.0 * plane.area; }
   double angle() const { return std::atan2(sine(), cosine()); }
@@ -93,6 +93,7 @@ struct CurvatureSums {
   }
 };
 
+/// The curvature at v, by the faces around it.
 inline VertexCurvature vertex_curvature(const WorkingMesh& mesh, int v) {
   CurvatureSums sums;
   AngleSum angles;

@@ -31,10 +31,9 @@ inline std::uint64_t morton_code(const Vector3& p) {
 template <class PointOf>
 Array<Keyed> along_curve(int count, const Parallel& parallel, PointOf point_of) {
   constexpr int code_bits = 63;
-  Array<Keyed> order(count);
-  parallel.for_each(count, [&](int i) { order[i] = {morton_code(point_of(i)), i}; });
-  radix_sort(order, code_bits, parallel);
-  return order;
+  return sorted_by_key(count, code_bits, parallel, [&](int i) {
+    return Keyed{morton_code(point_of(i)), i};
+  });
 }
 
 }  // namespace curvdecim::detail

@@ -10,7 +10,7 @@
 #include "vcg_ext/host_mesh/join_borders.h"
 #include "vcg_ext/host_mesh/read_flat.h"
 #include "vcg_ext/host_mesh/working_copy.h"
-#include "vcg_ext/parallel/bucket_places.h"
+#include "vcg_ext/mesh/face_keys.h"
 #include "vcg_ext/parallel/pieces.h"
 #include "vcg_ext/run/plan_reading.h"
 #include "vcg_ext/run/target.h"
@@ -67,35 +67,6 @@ class WorkingCopyReader {
     });
   }
 
-  /// The vertices of a face in ascending order, and where it stands.
-  using FaceKey = std::array<int, 4>;
-
-  FaceKey key_of(int f) const {
-    const auto [a, b, c] = flat_.faces[f];
-    const int least = std::min({a, b, c}), largest = std::max({a, b, c});
-    return {least, a ^ b ^ c ^ least ^ largest, largest, f};
-  }
-
-  /// The usable faces by their vertices: buckets by the least one, sorted inside.
-  Array<FaceKey> ordered_keys() const {
-    const int vertices = copy_.vertices_read;
-    const auto least = [&](int f) {
-      const auto [a, b, c] = flat_.faces[f];
-      return std::min({a, b, c});
-    };
-    BucketPlaces places;
-    places.count(face_slots(), vertices, parallel_, [&](int f, auto count_in) {
-      if (is_usable(f)) count_in(least(f));
-    });
-    Array<FaceKey> keys(places.begin().back());
-    places.fill(parallel_, [&](int f, auto place_in) {
-      if (is_usable(f)) keys[place_in(least(f))] = key_of(f);
-    });
-    const auto bound = [&](int v) { return keys.begin() + places.begin()[v]; };
-    parallel_.for_each(vertices, [&](int v) { std::sort(bound(v), bound(v + 1)); });
-    return keys;
-  }
-
   /// By their vertices, too.
   void order_faces() {
     const Array<FaceKey> keys = keys_without_doubles();
@@ -110,18 +81,16 @@ class WorkingCopyReader {
 
   /// Same vertices, same orientation.
   bool are_doubles(const FaceKey& a, const FaceKey& b) const {
-    if (!std::equal(a.begin(), a.end() - 1, b.begin())) return false;
-    const Face &f = flat_.faces[a.back()], &g = flat_.faces[b.back()];
-    const auto after = [&](const Face& face) {
-      return face[(std::find(face.begin(), face.end(), a[0]) - face.begin() + 1) % 3];
-    };
-    return after(f) == after(g);
+    return have_the_same_vertices(a, b) &&
+           next_in(flat_.faces[a.back()], a[0]) == next_in(flat_.faces[b.back()], b[0]);
   }
 
   /// The faces in order; of doubles the first stays. Two faces back to back on the same three
   /// vertices are none: closed parts that touch have such.
   Array<FaceKey> keys_without_doubles() {
-    Array<FaceKey> keys = ordered_keys();
+    Array<FaceKey> keys = ordered_keys(
+        face_slots(), copy_.vertices_read, parallel_,
+        [&](int f) -> const Face& { return flat_.faces[f]; }, [&](int f) { return is_usable(f); });
     const auto doubles_before = [&](int i, int end) {
       return (end > 0 && are_doubles(keys[i], keys[end - 1])) ||
              (end > 1 && are_doubles(keys[i], keys[end - 2]));

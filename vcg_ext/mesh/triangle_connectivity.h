@@ -32,6 +32,11 @@ inline bool is_degenerate(const Face& face) {
   return face[0] == face[1] || face[1] == face[2] || face[2] == face[0];
 }
 
+/// The corner of a face that follows v.
+inline int next_in(const Face& face, int v) {
+  return face[0] == v ? face[1] : face[1] == v ? face[2] : face[0];
+}
+
 /// What a change took away.
 struct Removed {
   int faces = 0, vertices = 0;
@@ -109,10 +114,7 @@ class TriangleConnectivity {
   bool face_has(int f, int v) const { return has(faces_[f], v); }
 
   /// The corner of f that follows v.
-  int next_vertex(int f, int v) const {
-    const Face& face = faces_[f];
-    return face[0] == v ? face[1] : face[1] == v ? face[2] : face[0];
-  }
+  int next_vertex(int f, int v) const { return next_in(faces_[f], v); }
 
   /// The corner of f that is neither a nor b, two different corners of it.
   int third_vertex(int f, int a, int b) const {

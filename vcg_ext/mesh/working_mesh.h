@@ -46,6 +46,7 @@ struct WorkingMesh {
     numbers.vertices(importance), numbers.vertices(vertex_origin, vertex_origins);
     const std::size_t planes = plane.size();
     numbers.faces(plane), numbers.faces(face_origin, face_origins);
+    // Those of dead faces, which an Array would leave without a value.
     if (plane.size() > planes) std::fill(plane.begin() + planes, plane.end(), FacePlane{});
     numbers.apply(connectivity);
   }

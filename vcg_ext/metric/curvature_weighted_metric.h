@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "vcg_ext/curvature/current_curvature.h"
@@ -36,7 +37,7 @@ class CurvatureWeightedMetric {
 
   /// By vertex. They are the passes' until resume().
   std::vector<PassWeight> take_weights(const Parallel& parallel) {
-    const auto saturation = std::move(saturation_), area = std::move(area_);
+    const auto saturation = std::exchange(saturation_, {}), area = std::exchange(area_, {});
     const std::vector<float> factor = quadric_.take_factors();
     std::vector<PassWeight> weights(saturation.size());
     parallel.for_each(static_cast<int>(weights.size()), [&](int v) {

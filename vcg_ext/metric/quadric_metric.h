@@ -69,7 +69,9 @@ class QuadricMetric {
   std::vector<PassWeight> take_weights(const Parallel&) const {
     return std::vector<PassWeight>(mesh_.position.size(), PassWeight{});
   }
-  std::vector<float> take_factors() { return std::move(factor_); }
+
+  /// By vertex; none are left.
+  std::vector<float> take_factors() { return std::exchange(factor_, {}); }
 
   /// The weight of a vertex that two have become.
   static PassWeight merged(const PassWeight&, const PassWeight&) { return {}; }

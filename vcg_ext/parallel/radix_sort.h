@@ -41,4 +41,13 @@ inline void radix_sort(Array<Keyed>& items, int key_bits, const Parallel& parall
   }
 }
 
+/// The items below count by their keys. item_of(i): the i-th.
+template <class ItemOf>
+Array<Keyed> sorted_by_key(int count, int key_bits, const Parallel& parallel, ItemOf item_of) {
+  Array<Keyed> items(count);
+  parallel.for_each(count, [&](int i) { items[i] = item_of(i); });
+  radix_sort(items, key_bits, parallel);
+  return items;
+}
+
 }  // namespace curvdecim::detail

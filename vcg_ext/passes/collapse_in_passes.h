@@ -61,11 +61,9 @@ void join(PassSurface surface, WorkingMesh& mesh, MetricType& metric, const Para
   surface.position.shrink_to_fit(), surface.faces.shrink_to_fit();
   mesh.position = std::move(surface.position);
   mesh.importance.assign(surface.importance.begin(), surface.importance.end());
-  const auto keep_left = [&](const std::vector<int>& left, auto& array) {
-    keep_only(left, parallel, array);
-    array.shrink_to_fit();
-  };
-  keep_left(surface.vertex_before, mesh.kind), keep_left(surface.vertex_before, mesh.locked);
+  keep_only(surface.vertex_before, parallel, mesh.kind);
+  keep_only(surface.vertex_before, parallel, mesh.locked);
+  mesh.kind.shrink_to_fit(), mesh.locked.shrink_to_fit();
   surface.vertex_before.shrink_to_fit(), surface.face_origin.shrink_to_fit();
   mesh.vertex_origin = std::move(surface.vertex_before);
   mesh.face_origin = std::move(surface.face_origin);

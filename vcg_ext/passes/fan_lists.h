@@ -9,11 +9,6 @@
 
 namespace curvdecim::detail {
 
-/// The corner of a face that follows v.
-inline int next_in(const Face& face, int v) {
-  return face[0] == v ? face[1] : face[1] == v ? face[2] : face[0];
-}
-
 /// The faces around every vertex, in the order of their numbers. The lists lie one after the other.
 class FanLists {
  public:

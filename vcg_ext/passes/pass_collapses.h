@@ -90,10 +90,10 @@ class PassCollapses {
   /// The proposers, the cheapest first.
   Array<Keyed> by_rank(const Parallel& parallel) const {
     constexpr int rank_bits = 32;
-    Array<Keyed> order;
-    for (int v : proposers(parallel)) order.push_back({key_of(ranks_.rank(v)), v});
-    radix_sort(order, rank_bits, parallel);
-    return order;
+    const std::vector<int> all = proposers(parallel);
+    return sorted_by_key(static_cast<int>(all.size()), rank_bits, parallel, [&](int i) {
+      return Keyed{key_of(ranks_.rank(all[i])), all[i]};
+    });
   }
 
   /// The proposers, ascending, by their numbers without the lowest bits.
