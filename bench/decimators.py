@@ -86,6 +86,25 @@ def meshlab(name: str = "MeshLab", **parameters: Any) -> Decimator:
     )
 
 
+def meshlab_textured(name: str = "MeshLab, with texture") -> Decimator:
+    """MeshLab's quadric edge collapse that knows of textures, with its true defaults."""
+    return Decimator(
+        name,
+        "meshing_decimation_quadric_edge_collapse_with_texture",
+        parameters={
+            "targetperc": 0.0,
+            "qualitythr": 0.3,
+            "extratcoordw": 1.0,
+            "preserveboundary": False,
+            "boundaryweight": 1.0,
+            "optimalplacement": True,
+            "preservenormal": False,
+            "planarquadric": False,
+            "selected": False,
+        },
+    )
+
+
 def meshlab_clustering(name: str = "MeshLab clustering") -> Decimator:
     """MeshLab's clustering; its one parameter, the cell, has to be found for a target."""
     return Decimator(name, "meshing_decimation_clustering", cell_parameter="threshold")
@@ -136,10 +155,30 @@ def apply(
     """A filter with exactly these parameters; `what` names the run in a FilterError."""
     with tempfile.TemporaryDirectory() as folder:
         output = Path(folder) / "simplified.ply"
-        job = _job(mesh, decimator, parameters) | {"output": str(output)}
-        answer = ask([sys.executable, str(_WORKER)], job, what, patience)
+        answer = _ask_for(output, mesh, decimator, parameters, what, patience)
         vertices, faces = read_mesh(output)
     return Outcome(vertices, faces, answer["seconds"], answer["report"], answer["peak_bytes"])
+
+
+def save_once(mesh: Path, target_faces: int, decimator: Decimator, output: Path) -> float:
+    """One decimator on one mesh, in a fresh process; the result with all that it carries goes to a
+    file. Returns the seconds.
+    """
+    parameters = decimator.parameters | {"targetfacenum": target_faces}
+    what = _what(mesh, target_faces, decimator)
+    return _ask_for(output, mesh, decimator, parameters, what, PATIENCE)["seconds"]
+
+
+def _ask_for(
+    output: Path,
+    mesh: Path,
+    decimator: Decimator,
+    parameters: Parameters,
+    what: str,
+    patience: float,
+) -> dict[str, Any]:
+    job = _job(mesh, decimator, parameters) | {"output": str(output)}
+    return ask([sys.executable, str(_WORKER)], job, what, patience)
 
 
 def find_cell(

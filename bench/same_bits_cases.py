@@ -123,6 +123,7 @@ CASES = (
     *_edges(metric="CurvatureAdditive", curvatureterm=("Melax", "Literal"), lambda_=(0.001, 0.1)),
     *_edges(preservetopology=False, preset=_PRESETS, targetperc=0.05),
     *_edges(joinborders=_SWITCH, preservetopology=_SWITCH),
+    *_edges(attributeweight=(0.0, 1.0)),
     *_edges(pairdistance=_percent(0.5), preset=("Balanced", "Best")),
     *_custom(pairdistance=_percent(0.5), scheduler=("Lazy", "Eager")),
     *_edges(pairdistance=_percent(0.5), maxerror=_percent(0.5)),  # refused
@@ -138,6 +139,7 @@ CASES = (
     *_spheres(adaptivekernel=False),
     *_spheres(preservetopology=False, targetperc=0.05),
     *_spheres(joinborders=False),
+    *_spheres(attributeweight=1.0),
     *_with_attributes(_spheres, placement=("Free3D", "OnSphereAlongEdge")),
     *_stepwise(_removal),
     *_removal(criterion=("Heap", "Passes"), preservefeatures=_SWITCH),

@@ -5,9 +5,11 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from decimators import DEFAULT_PLUGIN
 from surface import Floats, Surface
 from test_judge import grid
 from texture import Textured, TextureJudge, read_textured
+from textures import compare, decimators
 
 DIAGONAL = np.sqrt(2.0)
 
@@ -110,3 +112,17 @@ def test_a_file_without_coordinates_is_refused(tmp_path):
     (tmp_path / "bare.obj").write_text("v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n")
     with pytest.raises(ValueError, match=r"bare.obj has no texture"):
         read_textured(tmp_path / "bare.obj")
+
+
+def test_ours_keep_a_flat_texture_in_its_place_and_every_decimator_has_a_row(tmp_path):
+    vertices, faces = grid(20)
+    lines = [f"v {x} {y} 0\nvt {x} {y}" for x, y, _ in vertices]
+    lines += ["f " + " ".join(f"{v}/{v}" for v in face) for face in faces + 1]
+    (tmp_path / "flat.obj").write_text("\n".join(lines) + "\n")
+    all_of_them = decimators(DEFAULT_PLUGIN)
+    rows = list(compare(tmp_path / "flat.obj", [0.1], all_of_them))
+    assert [row.decimator for row in rows] == [each.name for each in all_of_them]
+    for row in rows[:-1]:  # the last is MeshLab's
+        texture = row.texture
+        assert texture.drift_rms < 1e-3
+        assert (texture.far, texture.bleed, texture.turned, texture.cracks) == (0, 0, 0, 0)

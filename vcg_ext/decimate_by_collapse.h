@@ -26,9 +26,7 @@ Tally collapse(WorkingMesh& mesh, MetricType& metric, const CollapsePlan& plan, 
                const Parallel& parallel) {
   constexpr double reading = 0.6;  // part of the time of the preparation
   std::optional<PassSurface> surface;
-  parallel.progress().along(reading, 1.0, [&] {
-    surface = prepare(mesh, metric, plan, carried.is_by_vertex(), parallel);
-  });
+  parallel.progress().along(reading, 1.0, [&] { surface = prepare(mesh, metric, plan, parallel); });
   plan.times.begin_steps("Collapsing edges", parallel.progress());
   Tally tally;
   const int next_number = surface ? collapse_in_passes(*std::move(surface), mesh, metric, plan,

@@ -28,12 +28,13 @@ enum class Rejection {
   TriangleShape,
   ErrorBound,
   HubAtRest,    ///< not asked: a vertex of very many faces, of which an edge was refused before
+  TextureFlip,  ///< a face would be turned over in the texture
   VertexClass,  ///< a complex vertex, or a corner
   LoopSplit,    ///< no line parts the loop around the vertex
 };
 constexpr auto labels(Rejection) {
   return std::array{"link_condition", "normal_flip",  "triangle_shape", "error_bound",
-                    "hub_at_rest",    "vertex_class", "loop_split"};
+                    "hub_at_rest",    "texture_flip", "vertex_class",   "loop_split"};
 }
 
 static_assert(labels(StopReason()).size() == static_cast<std::size_t>(StopReason::Cancelled) + 1);

@@ -38,8 +38,7 @@ DecimationReport decimate_vertex_removal(MeshType& mesh, const VertexRemovalPara
     const auto plan = plan_removal(params, facts);
     if (!plan) return note_nothing_to_do(reached_target(params, facts), run.report);
     Carried carried = read_carried(mesh, copy, params.quality_weight, run.parallel, run.report);
-    const Tally tally = remove_vertices(copy.mesh, *plan, seams_of(copy.mesh, carried),
-                                        carried.removal_observers(), run.parallel);
+    const Tally tally = remove_vertices(copy.mesh, *plan, {}, run.parallel);
     write_back(mesh, copy, carried, run.parallel, run.report);
     conclude(tally, *plan, copy.mesh, copy.box.diagonal, run.report);
   });

@@ -80,6 +80,9 @@ inline const char* meaning_of(Rejection reason) {
     case Rejection::ErrorBound: return "refused because the error would have exceeded a bound";
     case Rejection::HubAtRest:
       return "refused unasked, at a vertex of very many faces where one was refused before";
+    case Rejection::TextureFlip:
+      return "refused because a face would have been turned over in its texture, or a chart had "
+             "become larger there";
     case Rejection::VertexClass: return "refused because the vertex is complex, or a corner";
     case Rejection::LoopSplit: return "refused because no line parts the loop around the vertex";
   }
@@ -109,7 +112,7 @@ ResultRows<R, P> collapse_results() {
       {{cost_last_result<R, P>("the cost of the last collapse")},
        rejection_results<R, P>(
            "collapses", {Rejection::LinkCondition, Rejection::NormalFlip, Rejection::TriangleShape,
-                         Rejection::ErrorBound, Rejection::HubAtRest}),
+                         Rejection::ErrorBound, Rejection::HubAtRest, Rejection::TextureFlip}),
        {seconds_result<R, P>()}});
 }
 

@@ -125,6 +125,16 @@ ParameterRow<P> join_borders_row() {
        "Close what shares no vertex."});
 }
 
+template <class P>
+ParameterRow<P> attribute_weight_row() {
+  return row<P>(
+      &P::attribute_weight, "AttributeWeight", "Weight of the texture",
+      {"How much the drift of a texture over the surface counts against the error of the surface "
+       "itself. More keeps the image in place and the shape less well. 0: it does not count; seams "
+       "are kept in any case.",
+       "Of its drift, against the error of the surface."});
+}
+
 /// What an edge collapse refuses to do, or does only where all else costs more, and what it joins
 /// before.
 template <class P>
@@ -142,7 +152,8 @@ ParameterRows<P> collapse_guard_rows() {
            "90 faces may flip.",
            "Less keeps faces closer; above 90 they may flip."})),
       preserve_topology_row<P>(),
-      tuning(join_borders_row<P>())};
+      tuning(join_borders_row<P>()),
+      tuning(attribute_weight_row<P>())};
 }
 
 template <class P>

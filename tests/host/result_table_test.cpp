@@ -49,6 +49,7 @@ const Names collapse_end = {"cost_last",
                             "rejected_triangle_shape",
                             "rejected_error_bound",
                             "rejected_hub_at_rest",
+                            "rejected_texture_flip",
                             "seconds"};
 
 TEST(ResultTable, EdgeCollapseTellsItsBoundAndPairsWhereAsked) {

@@ -19,7 +19,14 @@ REPORTED = {
 }
 REJECTED = {
     "rejected_" + reason
-    for reason in ("link_condition", "normal_flip", "triangle_shape", "error_bound", "hub_at_rest")
+    for reason in (
+        "link_condition",
+        "normal_flip",
+        "triangle_shape",
+        "error_bound",
+        "hub_at_rest",
+        "texture_flip",
+    )
 }
 
 

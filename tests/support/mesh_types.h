@@ -46,7 +46,8 @@ class RichFace
                        vcg::face::FFAdj, vcg::face::BitFlags> {};
 class RichMesh : public vcg::tri::TriMesh<std::vector<RichVertex>, std::vector<RichFace>> {};
 
-/// Attributes are left at the mesh type's own defaults.
+/// Attributes are left at the mesh type's own defaults; texture coordinates, which have none, are
+/// 0.
 template <class MeshType>
 void fill(MeshType& mesh, const Shape& shape) {
   using Scalar = typename MeshType::ScalarType;
@@ -55,7 +56,12 @@ void fill(MeshType& mesh, const Shape& shape) {
     for (int k = 0; k < 3; ++k) mesh.vert[v].P()[k] = static_cast<Scalar>(shape.vertices[v][k]);
   vcg::tri::Allocator<MeshType>::AddFaces(mesh, shape.faces.size());
   for (std::size_t f = 0; f < shape.faces.size(); ++f)
-    for (int i = 0; i < 3; ++i) mesh.face[f].V(i) = &mesh.vert[shape.faces[f][i]];
+    for (int i = 0; i < 3; ++i) {
+      mesh.face[f].V(i) = &mesh.vert[shape.faces[f][i]];
+      if (!vcg::tri::HasPerWedgeTexCoord(mesh)) continue;
+      mesh.face[f].WT(i).u() = mesh.face[f].WT(i).v() = 0;
+      mesh.face[f].WT(i).n() = 0;
+    }
 }
 
 /// The living elements.

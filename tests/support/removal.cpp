@@ -17,8 +17,6 @@ Thinned thinned_as(const Shape& shape, const VertexRemovalParams& params) {
   return {shape_of(mesh), std::move(report)};
 }
 
-bool no_seam(int, int, int, int) { return false; }
-
 }  // namespace
 
 DecimationReport remove(BareMesh& mesh, const VertexRemovalParams& params,
@@ -67,7 +65,7 @@ RemovalOn::RemovalOn(const Shape& shape, const VertexRemovalParams& params,
                      RemovalObservers observers)
     : plan(plan_without_target(params, 1.0)),
       mesh(working_mesh(shape)),
-      removals(mesh, feature_edges(mesh, plan, no_seam, Parallel(1)), plan, std::move(observers)),
+      removals(mesh, feature_edges(mesh, plan, Parallel(1)), plan, std::move(observers)),
       scratch(mesh, plan) {}
 
 VertexClass RemovalOn::class_of(int v) { return removals.class_at(v, scratch.fan); }

@@ -18,7 +18,7 @@ BlendRecord record(const WorkingMesh& mesh, const Vector3& now, bool over_surfac
   around.gather(mesh.connectivity, {12, 17});
   BlendRecord blend(over_surface);
   blend.make_room(1);
-  blend.before(mesh, around, {17, 12, mesh.position[17], mesh.position[12], now, 0.5}, 0);
+  blend.before(mesh, around, {}, {17, 12, mesh.position[17], mesh.position[12], now, 0.5}, 0);
   return blend;
 }
 

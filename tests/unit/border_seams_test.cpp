@@ -81,6 +81,22 @@ TEST(BorderSeams, TheFirstVertexStaysForTheOthers) {
   EXPECT_EQ(BorderSeams(mesh, parallel).join().old_of, (std::vector<int>{0, 1, 2, 5}));
 }
 
+/// A slit: at its end both sides have the same vertex.
+TEST(BorderSeams, OfASlitCloseItUpToItsEnd) {
+  const Shape whole = plane_grid(4);
+  Shape slit = whole;
+  for (int v : {10, 11}) {  // of those in the middle column, 12 is the end
+    const int copy = slit.vertex_count();
+    slit.vertices.push_back(whole.vertices[v]);
+    for (Corners& f : slit.faces)
+      if (slit.vertices[f[0]].x() + slit.vertices[f[1]].x() + slit.vertices[f[2]].x() > 1.5)
+        std::replace(f.begin(), f.end(), v, copy);
+  }
+  const auto [shape, count] = joined(slit);
+  EXPECT_EQ(count, 2);
+  EXPECT_EQ(shape, whole);
+}
+
 TEST(BorderSeams, AreNoneWithoutBordersInOnePlace) {
   for (const Shape& shape : {torus(8, 6), plane_grid(4), fan(6), bowtie(), book(4, 4)})
     expect_untouched(shape);

@@ -74,7 +74,7 @@ class Passes : public testing::Test {
   static Passed run(WorkingMesh mesh, const CollapsePlan& plan, const Parallel& parallel,
                     bool over_surface = false) {
     CurvatureWeightedMetric metric(mesh, {});
-    std::optional<PassSurface> surface = prepare(mesh, metric, plan, true, parallel);
+    std::optional<PassSurface> surface = prepare(mesh, metric, plan, parallel);
     BlendRecord record(over_surface);
     Tally tally;
     if (!surface) return {std::move(mesh), {}, tally};
@@ -174,7 +174,7 @@ TEST_F(Passes, LeaveAnInitializedMetricWhereMuchIsHeld) {
   WorkingMesh mesh = working_mesh(scaled(bumpy_sphere(3), 0.25));
   std::fill_n(mesh.locked.begin(), mesh.locked.size() / 5, 1);
   CurvatureWeightedMetric prepared(mesh, {}), initialized(mesh, {});
-  EXPECT_FALSE(prepare(mesh, prepared, to(mesh, 100), true, one_thread).has_value());
+  EXPECT_FALSE(prepare(mesh, prepared, to(mesh, 100), one_thread).has_value());
   initialized.initialize(one_thread);
   for (int f = 0; f < mesh.connectivity.face_slots(); ++f) {
     const Edge edge{mesh.connectivity.face(f)[0], mesh.connectivity.face(f)[1]};
@@ -216,7 +216,7 @@ TEST_F(Passes, NoteStepsThatAreReplayedOnAllCoresAsInOrder) {
     WorkingMesh mesh = start;
     CurvatureWeightedMetric metric(mesh, {});
     const CollapsePlan plan = to(mesh, 3000);
-    std::optional<PassSurface> surface = prepare(mesh, metric, plan, true, one_thread);
+    std::optional<PassSurface> surface = prepare(mesh, metric, plan, one_thread);
     BlendRecord record(over_surface);
     Tally tally;
     collapse_in_passes(*std::move(surface), mesh, metric, plan, record, one_thread, tally);

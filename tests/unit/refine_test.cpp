@@ -25,8 +25,7 @@ InputSurface surface_of(const Shape& shape) {
 WorkingMesh refined(const Shape& input, const Shape& mesh, int sweeps) {
   WorkingMesh result = working_mesh(mesh);
   const InputSurface surface = surface_of(input);
-  Carried nothing;
-  Refinement(result, surface, CollapsePlan(), nothing, one_thread).run(sweeps);
+  Refinement(result, surface, CollapsePlan(), one_thread).run(sweeps);
   return result;
 }
 
@@ -98,8 +97,7 @@ TEST(VertexFit, MovesNoLockedVertex) {
   WorkingMesh result = working_mesh(mesh);
   result.locked[3] = 1;
   const InputSurface surface = surface_of(input);
-  Carried nothing;
-  Refinement(result, surface, CollapsePlan(), nothing, one_thread).run(2);
+  Refinement(result, surface, CollapsePlan(), one_thread).run(2);
   EXPECT_EQ(result.position[3], mesh.vertices[3]);
   EXPECT_NE(result.position[4], mesh.vertices[4]);
 }
@@ -142,8 +140,7 @@ TEST(EdgeFlips, LowerTheErrorOfAMeshWithWrongDiagonals) {
   of_mesh.match(mesh, near, limits, one_thread);
   const MoveGuard guard(mesh, surface, input_tree, FaceLimits());
   const double before = error(mesh, surface);
-  Carried nothing;
-  EXPECT_GT(EdgeFlips(mesh, of_input, of_mesh, guard, nothing).run(near, one_thread), 0);
+  EXPECT_GT(EdgeFlips(mesh, of_input, of_mesh, guard).run(near, one_thread), 0);
   EXPECT_NO_THROW(mesh.connectivity.validate());
   EXPECT_LT(error(mesh, surface), before);
 }

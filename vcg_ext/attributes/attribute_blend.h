@@ -1,31 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
 #include <limits>
 #include <utility>
 #include <vector>
 
 #include "vcg_ext/collapse/collapse_observer.h"
-#include "vcg_ext/geometry/blend.h"
-#include "vcg_ext/geometry/closest_point.h"
+#include "vcg_ext/mesh/blend_step.h"
 #include "vcg_ext/parallel/parallel.h"
 
 namespace curvdecim::detail {
-
-/// The attributes of `keep` become the weighted sum of those of three vertices. Vertices have the
-/// numbers that they had at the start.
-struct BlendStep {
-  static constexpr int none = -1;
-
-  int keep = none;  ///< none: nothing changes
-  Face from{};
-  std::array<float, 3> weight{};  // barycentric: one record a collapse, so that it has to be small
-
-  static BlendStep at(int keep, const Face& from, const Barycentric& w) {
-    return {keep, from, {float(w[0]), float(w[1]), float(w[2])}};
-  }
-};
 
 /// The attributes of `keep` move towards those of `gone`. Vertices have the numbers that they had
 /// at the start.
@@ -55,43 +39,17 @@ struct BlendSteps {
   void end_run() { stages.back().push_back(count()); }
 };
 
-inline BlendStep step_on_edge(int keep, int gone, double t) {
-  return BlendStep::at(keep, {keep, gone, gone}, {1.0 - t, t, 0.0});
-}
-
-/// Finds the nearest point to x on some faces.
-class NearestStep {
- public:
-  /// otherwise: the step where there is no face.
-  NearestStep(const Vector3& x, const BlendStep& otherwise) : x_(x), step_(otherwise) {}
-
-  /// corners: numbers of the face's vertices; normal: of length 1, or zero.
-  void look_at(const Triangle& triangle, const Vector3& normal, const Face& corners) {
-    const double height = normal.dot(x_ - triangle[0]);
-    if (height * height >= least2_) return;  // its plane is further away already
-    const Barycentric weight = closest_point(triangle, x_);
-    const double distance2 = (at(triangle, weight) - x_).squaredNorm();
-    if (distance2 < least2_)
-      least2_ = distance2, step_ = BlendStep::at(step_.keep, corners, weight);
-  }
-
-  const BlendStep& step() const { return step_; }
-
- private:
-  const Vector3 x_;
-  double least2_ = std::numeric_limits<double>::infinity();
-  BlendStep step_;
-};
-
 /// Notes for every collapse where, on the surface just before it, the merged vertex takes its
 /// attributes from: the nearest point of the faces around the edge. An attribute that is affine in
 /// position is so carried over the surface and not only along the edge. Where no attribute but the
-/// normal varies, the nearest point of the edge will do, and takes less memory.
+/// normal varies, the nearest point of the edge will do, and takes less memory. Where corners are
+/// told apart, the steps are those of the charts (mesh/edge_charts.h) and of wedges.
 class BlendRecord : public CollapseObserver {
  public:
-  /// expected: collapses, to have room for; may be exceeded.
-  explicit BlendRecord(bool over_surface = true, std::size_t expected = 0)
-      : is_over_surface_(over_surface) {
+  /// expected: collapses, to have room for; may be exceeded. by_wedge: corners are told apart; then
+  /// over the surface.
+  explicit BlendRecord(bool over_surface = true, std::size_t expected = 0, bool by_wedge = false)
+      : is_over_surface_(over_surface), by_wedge_(by_wedge) {
     over_surface ? steps_.over_surface.reserve(expected) : steps_.on_edge.reserve(expected);
   }
 
@@ -105,12 +63,17 @@ class BlendRecord : public CollapseObserver {
   BlendSteps& first_steps() { return steps_; }
 
   void make_room(int count) override {
+    if (by_wedge_) {
+      if (others_.empty()) before_others_ = steps_.count();
+      others_.resize(count - before_others_);
+    }
     is_over_surface_ ? steps_.over_surface.resize(count) : steps_.on_edge.resize(count);
   }
 
-  void before(const WorkingMesh& mesh, const EdgeNeighborhood& around, const VertexMerge& merge,
-              int number) override {
-    if (merge.now == merge.keep_was) return;
+  void before(const WorkingMesh& mesh, const EdgeNeighborhood& around, const EdgeCharts& charts,
+              const VertexMerge& merge, int number) override {
+    for (int c = 0; c < charts.count(); ++c) note(charts.step(c), number);
+    if (charts.count() > 0 || merge.now == merge.keep_was) return;
     const int keep = mesh.vertex_origin[merge.keep];
     if (!is_over_surface_) {
       steps_.on_edge[number] = {keep, mesh.vertex_origin[merge.gone], float(merge.t)};
@@ -122,7 +85,10 @@ class BlendRecord : public CollapseObserver {
     for (int& v : step.from) v = mesh.vertex_origin[v];
   }
 
-  void copied(const WorkingMesh& mesh, int v, int source, int number) override {
+  void copied(const WorkingMesh& mesh, int v, int source, const std::vector<Wedges::Parted>& wedges,
+              int number) override {
+    for (const auto [now, was] : wedges) note(step_on_edge(now, was, 1.0), number);
+    if (!wedges.empty()) return;
     const int to = mesh.vertex_origin[v], from = mesh.vertex_origin[source];
     if (is_over_surface_)
       steps_.over_surface[number] = step_on_edge(to, from, 1.0);
@@ -131,6 +97,11 @@ class BlendRecord : public CollapseObserver {
   }
 
   void renumber(const Renumbering&) override {}
+
+  /// What follows after the collapses.
+  void append(const std::vector<BlendStep>& steps) {
+    steps_.over_surface.insert(steps_.over_surface.end(), steps.begin(), steps.end());
+  }
 
   /// use(BlendStep), in the order of the collapses, or at the same time for such that have no
   /// vertex in common.
@@ -148,11 +119,30 @@ class BlendRecord : public CollapseObserver {
  private:
   static constexpr int runs_at_once = 1024;  // between two looks at whether to go on
 
+  /// The steps of collapse i beyond the first.
+  template <class Use>
+  void replay_others(int i, Use& use) const {
+    const int place = i - before_others_;
+    if (i < before_others_ || place >= static_cast<int>(others_.size())) return;
+    for (const BlendStep& step : others_[place]) use(step);
+  }
+
+  /// One of the steps of a collapse, of wedges.
+  void note(const BlendStep& step, int number) {
+    if (step.keep == BlendStep::none) return;
+    BlendStep& first = steps_.over_surface[number];
+    if (first.keep == BlendStep::none)
+      first = step;
+    else
+      others_[number - before_others_].push_back(step);
+  }
+
   template <class Use>
   void replay(int begin, int end, Use& use) const {
     for (int i = begin; i < end; ++i)
       if (is_over_surface_) {
         if (steps_.over_surface[i].keep != BlendStep::none) use(steps_.over_surface[i]);
+        replay_others(i, use);
       } else if (const auto [keep, gone, t] = steps_.on_edge[i]; keep != BlendStep::none) {
         use(step_on_edge(keep, gone, t));
       }
@@ -167,16 +157,11 @@ class BlendRecord : public CollapseObserver {
     return nearest.step();
   }
 
-  bool is_over_surface_ = true;
+  bool is_over_surface_ = true, by_wedge_ = false;
   BlendSteps steps_;  // by collapse
+  std::vector<std::vector<BlendStep>>
+      others_;  // by collapse after the first ones: beyond the first
+  int before_others_ = std::numeric_limits<int>::max();
 };
-
-/// A step's `keep` takes the blend of `from`, which may be the same values.
-template <class Value>
-void take(const BlendStep& step, const std::vector<Value>& from, std::vector<Value>& values) {
-  Blend<Value> blend(values[step.keep]);
-  for (int i = 0; i < 3; ++i) blend.add(step.weight[i], from[step.from[i]]);
-  values[step.keep] = blend.mean();
-}
 
 }  // namespace curvdecim::detail

@@ -16,7 +16,8 @@ class FaceCopies : public CollapseObserver {
   };
 
   void make_room(int) override {}
-  void before(const WorkingMesh&, const EdgeNeighborhood&, const VertexMerge&, int) override {}
+  void before(const WorkingMesh&, const EdgeNeighborhood&, const EdgeCharts&, const VertexMerge&,
+              int) override {}
   void renumber(const Renumbering&) override {}
 
   void added(const WorkingMesh& mesh, int f) override {

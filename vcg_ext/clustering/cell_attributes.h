@@ -8,7 +8,7 @@
 #include "vcg_ext/clustering/representatives.h"
 #include "vcg_ext/geometry/blend.h"
 #include "vcg_ext/geometry/closest_point.h"
-#include "vcg_ext/mesh/wedges.h"
+#include "vcg_ext/mesh/wedge_coordinate.h"
 
 namespace curvdecim::detail {
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "vcg_ext/clustering/cell_attributes.h"
-#include "vcg_ext/mesh/wedges.h"
+#include "vcg_ext/mesh/wedge_coordinate.h"
 
 namespace curvdecim::detail {
 

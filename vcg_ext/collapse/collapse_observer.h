@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "vcg_ext/mesh/edge_charts.h"
 #include "vcg_ext/mesh/edge_neighborhood.h"
 #include "vcg_ext/mesh/working_mesh.h"
 
@@ -16,14 +17,16 @@ class CollapseObserver {
   /// Called before collapses with numbers below `count`.
   virtual void make_room(int count) = 0;
 
-  /// number: counts the collapses in the order in which they can be replayed. Collapses whose
-  /// neighbourhoods share no vertex may be told at the same time.
+  /// charts: empty where corners are not told apart. number: counts the collapses in the order in
+  /// which they can be replayed. Collapses whose neighbourhoods share no vertex may be told at the
+  /// same time.
   virtual void before(const WorkingMesh& mesh, const EdgeNeighborhood& around,
-                      const VertexMerge& merge, int number) = 0;
+                      const EdgeCharts& charts, const VertexMerge& merge, int number) = 0;
 
-  /// v, which had no face, has taken over some of the faces of `source`, at the same place. number:
-  /// in the order of the collapses.
-  virtual void copied(const WorkingMesh&, int /*v*/, int /*source*/, int /*number*/) {}
+  /// v, which had no face, has taken over some of the faces of `source`, at the same place, and
+  /// these wedges. number: in the order of the collapses.
+  virtual void copied(const WorkingMesh&, int /*v*/, int /*source*/,
+                      const std::vector<Wedges::Parted>& /*wedges*/, int /*number*/) {}
 
   /// Face f, which was dead, lies between vertices that have other faces, too.
   virtual void added(const WorkingMesh&, int /*f*/) {}

@@ -16,8 +16,10 @@
 #include "vcg_ext/collapse/vertex_pairs.h"
 #include "vcg_ext/guard/collapse_guards.h"
 #include "vcg_ext/guard/collapse_rule.h"
+#include "vcg_ext/guard/texture_guard.h"
 #include "vcg_ext/mesh/vertex_ring.h"
 #include "vcg_ext/metric/metric.h"
+#include "vcg_ext/metric/placement.h"
 
 namespace curvdecim::detail {
 
@@ -34,6 +36,7 @@ class CollapseOperator {
     std::vector<int> neighbors;  // of the vertex last estimated for, that may collapse with it
     std::vector<double> costs;   // of the edges to them
     EdgeNeighborhood around;     // of the edge asked about or collapsed last
+    EdgeCharts charts;           // around it, where corners are told apart
     VertexRing ring;             // of the vertex last chosen for
     std::vector<EdgeChoice> options;
     std::vector<FacePlane> after;  // of the star, were the edge asked about last collapsed
@@ -50,6 +53,7 @@ class CollapseOperator {
         classifier_(mesh.connectivity),
         observers_(std::move(observers)),
         topology_operator_(mesh, metric, guards_, observers_) {
+    if (!mesh.texture.empty()) texture_guard_.emplace(mesh, limits.attribute_weight);
     if (const ObstaclePrice* price = guards_.obstacle_price())
       observers_.push_back(&parts_.emplace(mesh, price_unit, *price));
   }
@@ -135,6 +139,7 @@ class CollapseOperator {
   GuardAnswer ask(Edge edge, const Vector3& x, Scratch& scratch) const {
     scratch.around.gather(mesh_.connectivity, edge);
     GuardAnswer answer = guards_.ask(scratch.around, x, scratch.after);
+    if (!answer.refusal && mesh_.wedges.exist()) ask_texture(edge, x, scratch, answer);
     if (answer.price > 0.0) answer.price = importance(edge) * price_unit_(answer.price);
     return answer;
   }
@@ -158,7 +163,9 @@ class CollapseOperator {
     const VertexMerge done = merge_of(around.edge(), candidate, mesh_.position);
     guards_.accept(around, error_bound);
     metric_.release(around, scratch.after);
-    for (CollapseObserver* observer : observers_) observer->before(mesh_, around, done, number);
+    for (CollapseObserver* observer : observers_)
+      observer->before(mesh_, around, scratch.charts, done, number);
+    if (mesh_.wedges.exist()) merge_wedges(mesh_, around, scratch.charts);
     mesh_.position[done.keep] = candidate.position;
     Removed removed = mesh_.connectivity.collapse(done.keep, done.gone);
     if (!topology_) removed += remove_duplicates(around);
@@ -169,7 +176,9 @@ class CollapseOperator {
     if (pairs_.active()) follow(done, around);
     for (std::size_t i = 0; i < around.star().size(); ++i)
       mesh_.plane[around.star()[i]] = scratch.after[i];
+    if (!mesh_.on_seam.empty()) mesh_.on_seam[done.keep] |= mesh_.on_seam[done.gone];
     metric_.merge(done, around);
+    if (is_on_seam(mesh_, done.keep)) follow_seams(done, around);
     return {done.keep, done.gone, removed};
   }
 
@@ -205,6 +214,19 @@ class CollapseOperator {
            mesh_.connectivity.edge_valence(edge.a, edge.b) > most_faces_;
   }
 
+  /// The charts of the collapse to x, in the scratch, and what it does in the texture.
+  void ask_texture(Edge edge, const Vector3& x, Scratch& scratch, GuardAnswer& answer) const {
+    const Vector3 &a = mesh_.position[edge.a], half = 0.5 * (mesh_.position[edge.b] - a);
+    const Candidate candidate{0.0, x, parameter_along(half, x - (a + half))};
+    scratch.charts.gather(mesh_, scratch.around, merge_of(edge, candidate, mesh_.position));
+    if (!texture_guard_) return;
+    const auto price = texture_guard_->price(scratch.around, scratch.charts, x);
+    if (price)
+      answer.price += *price;
+    else
+      answer = {Rejection::TextureFlip};
+  }
+
   double importance(Edge edge) const {
     return mesh_.importance.empty() ? 1.0 : mesh_.importance[edge.a] + mesh_.importance[edge.b];
   }
@@ -227,12 +249,21 @@ class CollapseOperator {
   void follow(const VertexMerge& done, const EdgeNeighborhood& around) {
     pairs_.merge(done.keep, done.gone);
     if (mesh_.locked[done.keep]) pairs_.forget(done.keep);
-    const auto classify = [&](int v) { mesh_.kind[v] = classifier_.classify(v); };
+    const auto classify = [&](int v) {
+      mesh_.kind[v] = classifier_.classify(v);
+      update_seam(mesh_, v);
+    };
     classify(done.keep);
     for (int v : around.thirds()) classify(v);
     for (int f : around.star())
       for (int v : mesh_.connectivity.face(f))
         if (v != TriangleConnectivity::dead && v != done.keep) classify(v);
+  }
+
+  /// A chart may have vanished, or come to touch itself.
+  void follow_seams(const VertexMerge& done, const EdgeNeighborhood& around) {
+    update_seam(mesh_, done.keep);
+    for (int v : around.thirds()) update_seam(mesh_, v);
   }
 
   /// Where the link condition was not asked for, faces may have fallen onto each other.
@@ -257,6 +288,7 @@ class CollapseOperator {
   const PriceUnit price_unit_;
   const CollapseRule rule_;
   CollapseGuards guards_;
+  std::optional<TextureGuard> texture_guard_;  // where there is a texture
   VertexPairs pairs_;
   VertexClassifier classifier_;  // where there are pairs
   CollapseObservers observers_;

@@ -144,13 +144,15 @@ class Parts : public CollapseObserver {
 
   void make_room(int) override {}
 
-  void before(const WorkingMesh&, const EdgeNeighborhood&, const VertexMerge& merge, int) override {
+  void before(const WorkingMesh&, const EdgeNeighborhood&, const EdgeCharts&,
+              const VertexMerge& merge, int) override {
     area_[merge.keep] += area_[merge.gone];
     cut_[merge.keep] |= cut_[merge.gone];
     if (!into_.empty()) into_[merge.gone] = merge.keep;
   }
 
-  void copied(const WorkingMesh&, int v, int source, int) override {
+  void copied(const WorkingMesh&, int v, int source, const std::vector<Wedges::Parted>&,
+              int) override {
     area_[v] = area_[source] *= 0.5;
     cut_[v] = cut_[source] = 1;
     several_ = true;

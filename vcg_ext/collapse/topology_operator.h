@@ -60,10 +60,12 @@ class TopologyOperator {
     for (int i = 0; i < cut.new_vertices(); ++i)
       hand_over(cut.path()[i], cut.right(i), (*vertices)[i], next_number++);
     close(cut, *vertices, *faces);
+    for (int f : *faces) {
+      if (mesh_.wedges.exist()) mesh_.wedges.add(mesh_.connectivity, f);
+      for (CollapseObserver* observer : observers_) observer->added(mesh_, f);
+    }
     for (int i = 0; i < cut.new_vertices(); ++i) renew((*vertices)[i], cut.path()[i]);
     for (int v : cut.path()) renew(v, v);
-    for (int f : *faces)
-      for (CollapseObserver* observer : observers_) observer->added(mesh_, f);
     ++(cut.fills() ? tally.holes_closed : tally.handles_cut);
     tally.note_size(longest_edge(cut.path()));
     return joined(cut.path(), *vertices);
@@ -121,10 +123,20 @@ class TopologyOperator {
       std::replace(face.begin(), face.end(), v, copy);
       assign(f, face);
     }
+    const std::vector<Wedges::Parted> wedges = part_wedges(copy);
     for (CollapseObserver* observer : observers_) {
       observer->make_room(number + 1);
-      observer->copied(mesh_, copy, v, number);
+      observer->copied(mesh_, copy, v, wedges, number);
     }
+  }
+
+  /// Those of a vertex that has taken over faces become its own.
+  std::vector<Wedges::Parted> part_wedges(int v) {
+    if (!mesh_.wedges.exist()) return {};
+    std::vector<Wedges::Parted> parted = mesh_.wedges.part(mesh_.connectivity, v);
+    for (const auto [now, source] : parted)
+      if (!mesh_.texture.empty()) mesh_.texture.push_back(mesh_.texture[source]);
+    return parted;
   }
 
   /// A face on each side of a loop.
@@ -143,6 +155,7 @@ class TopologyOperator {
   /// source: what v is a copy of, or itself.
   void renew(int v, int source) {
     mesh_.kind[v] = classifier_.classify(v);
+    update_seam(mesh_, v);
     metric_.renew(v, source);
   }
 

@@ -10,6 +10,7 @@
 namespace curvdecim::detail {
 
 using Vector3 = Eigen::Vector3d;
+using Vector2 = Eigen::Vector2d;  // in a texture
 
 /// A host's point or vector, of any scalar.
 template <class HostVector>

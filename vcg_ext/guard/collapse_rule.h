@@ -5,6 +5,7 @@
 
 #include "vcg_ext/guard/limits.h"
 #include "vcg_ext/mesh/edge_neighborhood.h"
+#include "vcg_ext/mesh/seams.h"
 #include "vcg_ext/mesh/working_mesh.h"
 
 namespace curvdecim::detail {
@@ -18,6 +19,9 @@ namespace curvdecim::detail {
 /// | boundary |          | anywhere | stays    | onto b   |
 /// | curve    |          |          | anywhere | onto b   |
 /// | junction |          |          |          | stays    |
+///
+/// Between two vertices on seams only an edge of a seam may collapse: any other would pinch a
+/// chart.
 class CollapseRule {
  public:
   CollapseRule(const WorkingMesh& mesh, const CollapseLimits& limits)
@@ -27,10 +31,13 @@ class CollapseRule {
         gives_way_(limits.topology_gives_way) {}
 
   /// An edge between two such vertices may collapse to anywhere.
-  bool is_free(int v) const { return mesh_.kind[v] == VertexKind::Interior && !mesh_.locked[v]; }
+  bool is_free(int v) const {
+    return mesh_.kind[v] == VertexKind::Interior && !mesh_.locked[v] && !is_on_seam(mesh_, v);
+  }
 
   /// Where the topology gives way, sheets that meet in an end may come apart first.
   std::optional<Allowed> operator()(Edge edge) const {
+    if (pinches(edge)) return std::nullopt;
     const std::optional<Allowed> allowed = of_kinds(edge);
     if (allowed || !gives_way_ || mesh_.locked[edge.a] || mesh_.locked[edge.b]) return allowed;
     return Allowed::Anywhere;
@@ -50,6 +57,10 @@ class CollapseRule {
   }
 
  private:
+  bool pinches(Edge edge) const {
+    return is_on_seam(mesh_, edge.a) && is_on_seam(mesh_, edge.b) && !is_seam_edge(mesh_, edge);
+  }
+
   bool stays(int v) const {
     return mesh_.locked[v] || (topology_ && mesh_.kind[v] == VertexKind::Junction);
   }

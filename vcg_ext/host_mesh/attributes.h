@@ -10,7 +10,8 @@
 
 #include "vcg_ext/errors.h"
 #include "vcg_ext/geometry/vector3.h"
-#include "vcg_ext/mesh/wedges.h"
+#include "vcg_ext/mesh/triangle_connectivity.h"
+#include "vcg_ext/mesh/wedge_coordinate.h"
 
 namespace curvdecim::detail {
 
@@ -84,6 +85,17 @@ void write_wedges(FaceType& face, const FaceWedges& wedges) {
     auto& texture = face.WT(i);
     texture.u() = static_cast<decltype(texture.u() + 0)>(wedges[i].u);
     texture.v() = static_cast<decltype(texture.v() + 0)>(wedges[i].v);
+  }
+}
+
+/// The face keeps its texture page. texture: by wedge.
+template <class FaceType>
+void write_coordinates(FaceType& face, const Face& wedges,
+                       const std::vector<Eigen::Vector2d>& texture) {
+  for (int i = 0; i < 3; ++i) {
+    auto& to = face.WT(i);
+    to.u() = static_cast<decltype(to.u() + 0)>(texture[wedges[i]].x());
+    to.v() = static_cast<decltype(to.v() + 0)>(texture[wedges[i]].y());
   }
 }
 

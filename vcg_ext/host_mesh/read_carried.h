@@ -4,39 +4,16 @@
 #include <vcg/complex/complex.h>
 
 #include <algorithm>
-#include <optional>
-#include <utility>
 #include <vector>
 
 #include "vcg_ext/attributes/carried.h"
 #include "vcg_ext/collapse/collapse_plan.h"
 #include "vcg_ext/host_mesh/attributes.h"
-#include "vcg_ext/host_mesh/join_borders.h"
+#include "vcg_ext/host_mesh/read_wedges.h"
 #include "vcg_ext/host_mesh/working_copy.h"
 #include "vcg_ext/run/notes.h"
 
 namespace curvdecim::detail {
-
-/// The wedge texture coordinates of the working faces, if the mesh has them.
-template <class MeshType>
-std::optional<WedgeTexture> read_wedges(const MeshType& mesh, const WorkingCopy& copy) {
-  if (!vcg::tri::HasPerWedgeTexCoord(mesh)) return std::nullopt;
-  std::vector<FaceWedges> wedges;
-  for (int f : copy.mesh.face_origin) wedges.push_back(wedges_of(mesh.face[f]));
-  return WedgeTexture(std::move(wedges));
-}
-
-/// True if one vertex has different texture coordinates in different faces.
-inline bool has_seams(const WorkingMesh& mesh, const WedgeTexture& wedges) {
-  std::vector<const WedgeCoordinate*> first(mesh.position.size(), nullptr);
-  for (int f = 0; f < mesh.connectivity.face_slots(); ++f)
-    for (int i = 0; i < 3; ++i) {
-      const WedgeCoordinate*& known = first[mesh.connectivity.face(f)[i]];
-      if (!known) known = &wedges.of_face(f)[i];
-      if (!(*known == wedges.of_face(f)[i])) return true;
-    }
-  return false;
-}
 
 /// True if a vertex attribute other than the normal differs among these vertices of the vcg mesh.
 template <class MeshType>
@@ -94,14 +71,14 @@ Carried read_carried(const MeshType& mesh, WorkingCopy& copy, bool quality_weigh
   weigh_by_quality(mesh, quality_weight, copy, report);
   note_repairs(copy.mesh, copy.unusable.size(), plan.limits.keeps_topology, report);
   Carried carried;
-  carried.copies = read_copies(mesh, copy);
-  note_borders(copy.borders_joined, carried.copies.has_value(), report);
+  carried.copies_differ = read_wedges(mesh, copy);
+  find_seams(copy.mesh, parallel);
+  const bool by_wedge = copy.mesh.wedges.exist();
+  const bool over_surface = by_wedge || has_varying_attributes(mesh, copy.vertex_of, parallel);
+  carried.blended = BlendRecord(over_surface, expected_collapses(copy.mesh, plan.stop), by_wedge);
+  note_borders(copy.borders_joined, carried.copies_differ, report);
   if (plan.pair_distance == 0.0) note_open_seams(copy.mesh, copy.vertex_of, report);
-  if (!carried.copies)
-    carried.blended = BlendRecord(has_varying_attributes(mesh, copy.vertex_of, parallel),
-                                  expected_collapses(copy.mesh, plan.stop));
-  carried.wedges = read_wedges(mesh, copy);
-  if (carried.wedges && has_seams(copy.mesh, *carried.wedges)) note_seams(report);
+  if (!copy.mesh.texture.empty() && !copy.mesh.on_seam.empty()) note_seams(report);
   note_dropped_attributes(mesh, parallel, report);
   return carried;
 }
@@ -114,7 +91,7 @@ Carried read_carried(const MeshType& mesh, WorkingCopy& copy, bool quality_weigh
   note_repairs(copy.mesh, copy.unusable.size(), true, report);
   note_open_seams(copy.mesh, copy.vertex_of, report);
   Carried carried;
-  carried.wedges = read_wedges(mesh, copy);
+  carried.copies_differ = read_wedges(mesh, copy);
   note_faux_edges(mesh, parallel, report);
   return carried;
 }

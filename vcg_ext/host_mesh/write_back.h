@@ -31,7 +31,10 @@ class WriteBack {
         parallel_(parallel),
         used_before_(used_vertices()),
         moved_(copy.mesh.position.size(), false),
-        place_of_(hosts().size(), none) {}
+        place_of_(hosts().size(), none),
+        speaker_(place_of_.size(), none) {
+    find_speakers();
+  }
 
   void run() {
     add_faces();
@@ -39,7 +42,7 @@ class WriteBack {
     blend_attributes();
     for (const auto [to, from] : carried_.new_faces.copies())
       mesh_.face[to].ImportData(mesh_.face[from]);
-    if (carried_.wedges) write_all_wedges(*carried_.wedges);
+    if (!copy_.mesh.texture.empty()) write_texture();
     move_vertices();
     connect_faces();
     delete_vertices();
@@ -55,32 +58,50 @@ class WriteBack {
 
   const TriangleConnectivity& connectivity() const { return copy_.mesh.connectivity; }
 
-  // What is written are copies: every vertex is one, with the number that it had at the start, or
-  // stands for several that carry different values.
+  // What is carried belongs to wedges, or to vertices by the numbers that they had at the start. Of
+  // the wedges that come from one vertex of the host the lowest speaks for the others.
 
-  /// By copy: the host's vertex that it was.
-  const std::vector<int>& hosts() const {
-    return carried_.copies ? carried_.copies->host() : copy_.vertex_of;
+  /// By wedge or vertex: the host's vertex that it was.
+  const std::vector<int>& hosts() const { return copy_.vertex_of; }
+
+  /// The wedge or vertex that a corner of face f belongs to.
+  int carrier(int f, int corner) const {
+    return copy_.mesh.wedges.exist() ? copy_.mesh.wedges.of_face(f)[corner]
+                                     : copy_.mesh.vertex_origin[connectivity().face(f)[corner]];
   }
 
-  /// The copy that a corner of face f belongs to.
-  int copy_at(int f, int corner) const {
-    return carried_.copies ? carried_.copies->of_face(f)[corner]
-                           : copy_.mesh.vertex_origin[connectivity().face(f)[corner]];
+  Vertex& vertex(int f, int corner) { return mesh_.vert[place_of_[speaker_[carrier(f, corner)]]]; }
+
+  /// Whether two wedges of one vertex are written to one vertex.
+  bool are_one(int wedge, int other) const {
+    return !carried_.copies_differ || hosts()[wedge] == hosts()[other];
   }
 
-  Vertex& vertex(int f, int corner) { return mesh_.vert[place_of_[copy_at(f, corner)]]; }
+  void find_speakers() {
+    std::vector<int> carriers;
+    for (int v = 0; v < connectivity().vertex_slots(); ++v) {
+      carriers.clear();
+      for (int f : connectivity().faces_of(v)) {
+        carriers.push_back(carrier(f, connectivity().corner(f, v)));
+        if (!copy_.mesh.wedges.exist()) break;  // all corners are of the same
+      }
+      std::sort(carriers.begin(), carriers.end());
+      for (int wedge : carriers)
+        speaker_[wedge] = *std::find_if(carriers.begin(), carriers.end(),
+                                        [&](int other) { return are_one(wedge, other); });
+    }
+  }
 
-  /// use(copy, v), once for every copy that is left of a vertex.
+  /// use(speaker, v), once for every vertex that is written.
   template <class Use>
-  void for_each_copy(Use use) const {
+  void for_each_speaker(Use use) const {
     std::vector<bool> seen(hosts().size(), false);
     for (int v = 0; v < connectivity().vertex_slots(); ++v)
       for (int f : connectivity().faces_of(v)) {
-        const int copy = copy_at(f, connectivity().corner(f, v));
-        if (!seen[copy]) use(copy, v);
-        if (!carried_.copies) break;  // all corners are of the same
-        seen[copy] = true;
+        const int wedge = carrier(f, connectivity().corner(f, v));
+        if (speaker_[wedge] == wedge && !seen[wedge]) use(wedge, v);
+        if (!copy_.mesh.wedges.exist()) break;
+        seen[wedge] = true;
       }
   }
 
@@ -95,9 +116,9 @@ class WriteBack {
   void place_vertices() {
     std::vector<bool> taken(mesh_.vert.size(), false);
     std::vector<int> copied;
-    for_each_copy([&](int copy, int) {
-      const int own = hosts()[copy];
-      place_of_[copy] = taken[own] ? static_cast<int>(taken.size() + copied.size()) : own;
+    for_each_speaker([&](int wedge, int) {
+      const int own = hosts()[wedge];
+      place_of_[wedge] = taken[own] ? static_cast<int>(taken.size() + copied.size()) : own;
       if (taken[own]) copied.push_back(own);
       taken[own] = true;
     });
@@ -117,8 +138,8 @@ class WriteBack {
   }
 
   void move_vertices() {
-    for_each_copy([&](int copy, int v) {
-      auto& p = mesh_.vert[place_of_[copy]].P();
+    for_each_speaker([&](int wedge, int v) {
+      auto& p = mesh_.vert[place_of_[wedge]].P();
       const Vector3& x = copy_.mesh.position[v];
       if (x == copy_.box.to_box(vector_of(p))) return;
       moved_[v] = true;
@@ -160,10 +181,12 @@ class WriteBack {
         vcg::tri::Allocator<MeshType>::DeleteVertex(mesh_, mesh_.vert[v]);
   }
 
-  void write_all_wedges(const WedgeTexture& wedges) {
-    for (int f = 0; f < connectivity().face_slots(); ++f)
+  void write_texture() {
+    parallel_.for_each(connectivity().face_slots(), [&](int f) {
       if (connectivity().alive(f))
-        write_wedges(mesh_.face[copy_.mesh.face_origin[f]], wedges.of_face(f));
+        write_coordinates(mesh_.face[copy_.mesh.face_origin[f]], copy_.mesh.wedges.of_face(f),
+                          copy_.mesh.texture);
+    });
   }
 
   // --- attributes: double while they are blended, so that rounding does not add up ---------------
@@ -176,7 +199,7 @@ class WriteBack {
     parallel_.for_each(count, [&](int c) { values[c] = read(mesh_.vert[hosts()[c]]); });
     const std::vector<Value> input = carried_.resampled.empty() ? std::vector<Value>() : values;
     std::vector<std::uint8_t> changed(count, 0);
-    carried_.for_each_step(parallel_, [&](const BlendStep& step) {
+    carried_.blended.for_each(parallel_, [&](const BlendStep& step) {
       changed[step.keep] = 1;
       take(step, values, values);
     });
@@ -201,7 +224,8 @@ class WriteBack {
   const Parallel& parallel_;
   const Marks used_before_;    // by the host's vertex
   std::vector<bool> moved_;    // by working vertex
-  std::vector<int> place_of_;  // by copy: where in the host's mesh it goes
+  std::vector<int> place_of_;  // by speaker: where in the host's mesh it goes
+  std::vector<int> speaker_;   // by wedge or vertex
 };
 
 /// Makes the host's mesh what the run made of its working copy.
@@ -209,7 +233,9 @@ template <class MeshType>
 void write_back(MeshType& mesh, WorkingCopy& copy, const Carried& carried, const Parallel& parallel,
                 DecimationReport& report) {
   parallel.progress().fall_silent();
-  copy.vertex_of.resize(copy.mesh.vertex_origins, copy.vertex_of[0]);  // any: they are blended
+  for (int source : copy.mesh.wedges.sources()) copy.vertex_of.push_back(copy.vertex_of[source]);
+  if (!copy.mesh.wedges.exist())
+    copy.vertex_of.resize(copy.mesh.vertex_origins, copy.vertex_of[0]);  // any: they are blended
   WriteBack<MeshType>(mesh, copy, carried, parallel).run();
   report.faces = mesh.fn, report.vertices = mesh.vn;
 }

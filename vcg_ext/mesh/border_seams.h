@@ -90,7 +90,6 @@ class BorderSeams {
     for (std::size_t first = 0, last; first < all.size(); first = last) {
       last = first + 1;
       while (last < all.size() && all[last].at == all[first].at) ++last;
-      if (last - first == 1) continue;
       for (std::size_t i = first; i < last; ++i) site_[all[i].vertex] = sites_;
       ++sites_;
     }

@@ -65,6 +65,8 @@ struct VertexMerge {
   Vector3 keep_was, gone_was;  // positions before
   Vector3 now;                 // position after
   double t;                    // 0: where keep was, 1: where gone was
+
+  bool has(int v) const { return v == keep || v == gone; }
 };
 
 }  // namespace curvdecim::detail

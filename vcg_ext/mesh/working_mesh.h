@@ -6,11 +6,13 @@
 #include <cstdint>
 #include <vector>
 
+#include "vcg_ext/geometry/texture_triangle.h"
 #include "vcg_ext/geometry/triangle.h"
 #include "vcg_ext/mesh/edge_neighborhood.h"
 #include "vcg_ext/mesh/renumbering.h"
 #include "vcg_ext/mesh/triangle_connectivity.h"
 #include "vcg_ext/mesh/vertex_kind.h"
+#include "vcg_ext/mesh/wedges.h"
 #include "vcg_ext/parallel/array.h"
 
 namespace curvdecim::detail {
@@ -23,14 +25,23 @@ struct WorkingMesh {
   Array<FacePlane> plane;            // by face
   std::vector<double> importance;    // by vertex: factor on the cost; empty: 1 everywhere
   TriangleConnectivity connectivity;
-  std::vector<int> vertex_origin;  // by vertex: its number at the start, or a later one
-  std::vector<int> face_origin;    // by face: its number in the mesh it was taken from, or a later
-  int vertex_origins = 0;          // numbers that were given
-  int face_origins = 0;            // the same, those of the mesh that it was taken from included
+  Wedges wedges;                      // where corners at a vertex are to be told apart
+  std::vector<std::uint8_t> on_seam;  // by vertex: 1 if it is an end of a seam edge; empty: no seam
+  std::vector<Vector2> texture;       // by wedge: its coordinates; empty: there are none
+  std::vector<int> vertex_origin;     // by vertex: its number at the start, or a later one
+  std::vector<int> face_origin;  // by face: its number in the mesh it was taken from, or a later
+  int vertex_origins = 0;        // numbers that were given
+  int face_origins = 0;          // the same, those of the mesh that it was taken from included
 
   Triangle triangle(int f) const {
     const Face& face = connectivity.face(f);
     return {position[face[0]], position[face[1]], position[face[2]]};
+  }
+
+  /// There are coordinates.
+  TextureTriangle texture_triangle(int f) const {
+    const Face& of_face = wedges.of_face(f);
+    return {texture[of_face[0]], texture[of_face[1]], texture[of_face[2]]};
   }
 
   void update_plane(int f) { plane[f] = face_plane(triangle(f)); }
@@ -48,6 +59,7 @@ struct WorkingMesh {
     numbers.faces(plane), numbers.faces(face_origin, face_origins);
     // Those of dead faces, which an Array would leave without a value.
     if (plane.size() > planes) std::fill(plane.begin() + planes, plane.end(), FacePlane{});
+    numbers.vertices(on_seam), wedges.renumber(numbers);
     numbers.apply(connectivity);
   }
 };

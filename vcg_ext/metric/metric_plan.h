@@ -12,6 +12,7 @@ struct QuadricPlan : QuadricParams {
   double boundary_weight = 1.0;
   double feature_angle = 60.0;  ///< degrees
   bool keeps_topology = true;   ///< around an inner vertex no boundary changes and no face is lost
+  double seam_weight = 0.0;     ///< of seams, against the surface
 };
 
 /// Quadrics times a factor that grows with curvature.

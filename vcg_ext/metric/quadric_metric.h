@@ -238,13 +238,13 @@ class QuadricMetric {
   }
 
   Symmetric3 boundary(int v) const {
-    if (mesh_.kind[v] == VertexKind::Interior) return {};
-    return boundary_matrix(mesh_, v, plan_.plane_weight) * plan_.boundary_weight;
+    if (mesh_.kind[v] == VertexKind::Interior && !is_on_seam(mesh_, v)) return {};
+    return edge_planes_at(mesh_, plan_, v);
   }
 
-  /// Around it a collapse changes no boundary, and no face falls onto another.
+  /// Around it a collapse changes no boundary and no seam, and no face falls onto another.
   bool is_inside(int v) const {
-    return plan_.keeps_topology && mesh_.kind[v] == VertexKind::Interior;
+    return plan_.keeps_topology && mesh_.kind[v] == VertexKind::Interior && !is_on_seam(mesh_, v);
   }
 
   void forget_current(const EdgeNeighborhood& around) {
@@ -265,10 +265,11 @@ class QuadricMetric {
     for (int i = 0; i < 3; ++i) {
       const int a = face[i], b = face[(i + 1) % 3];
       sum_[a].a += plane;
-      if (!is_on_border(mesh_, a, b)) continue;
-      const Symmetric3 border =
-          edge_plane_matrix(mesh_, f, a, b, plan_.plane_weight) * (sign * plan_.boundary_weight);
-      sum_[a].a += border, sum_[b].a += border;
+      const double weight = edge_plane_weight(mesh_, plan_, f, a, b);
+      if (!(weight > 0.0)) continue;
+      const Symmetric3 held =
+          edge_plane_matrix(mesh_, f, a, b, plan_.plane_weight) * (sign * weight);
+      sum_[a].a += held, sum_[b].a += held;
     }
   }
 

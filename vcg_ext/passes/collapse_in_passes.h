@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "vcg_ext/guard/texture_guard.h"
+#include "vcg_ext/mesh/seams.h"
 #include "vcg_ext/mesh/working_mesh.h"
 #include "vcg_ext/passes/pass_schedule.h"
 
@@ -37,17 +39,22 @@ inline bool is_closed_fan(const WorkingMesh& mesh, int v) {
 /// The mesh without what passes do not need, and what its metric, which is new, remembers; join()
 /// has to follow. nullopt, with the mesh as it was: too much of it is to be held.
 template <class MetricType>
-std::optional<PassSurface> split(WorkingMesh& mesh, MetricType& metric, const Parallel& parallel) {
+std::optional<PassSurface> split(WorkingMesh& mesh, MetricType& metric, double attribute_weight,
+                                 const Parallel& parallel) {
   const int vertices = mesh.connectivity.vertex_slots();
   PassSurface surface;
   surface.held.resize(vertices);
-  parallel.for_each(vertices,
-                    [&](int v) { surface.held[v] = !is_closed_fan(mesh, v) || mesh.locked[v]; });
+  parallel.for_each(vertices, [&](int v) {
+    surface.held[v] = !is_closed_fan(mesh, v) || mesh.locked[v] || is_on_seam(mesh, v);
+  });
   if (!surface.is_mostly_free()) return std::nullopt;
+  surface.texture_weight = texture_weight(mesh, attribute_weight);
+  surface.texture = std::exchange(mesh.texture, {});
   surface.memory = metric.remember(parallel);  // with planes and lists, which can go then
   surface.weight = metric.take_weights(parallel);
   Array<FacePlane>().swap(mesh.plane);
   surface.faces = mesh.connectivity.release_faces();
+  surface.wedges = mesh.wedges.release();
   surface.position = std::exchange(mesh.position, {});
   surface.importance.assign(mesh.importance.begin(), mesh.importance.end());
   surface.vertex_before = std::exchange(mesh.vertex_origin, {});  // the same, as it is new
@@ -55,14 +62,26 @@ std::optional<PassSurface> split(WorkingMesh& mesh, MetricType& metric, const Pa
   return surface;
 }
 
+/// The wedges of the surface's corners.
+inline std::vector<Face> wedges_of(const PassSurface& surface, const Parallel& parallel) {
+  std::vector<Face> wedges(surface.wedges.size());
+  parallel.for_each(static_cast<int>(wedges.size()), [&](int f) {
+    for (int i = 0; i < 3; ++i) wedges[f][i] = surface.carrier(f, surface.faces[f][i]);
+  });
+  return wedges;
+}
+
 /// The mesh and its metric with what passes have left, in memory for no more.
 template <class MetricType>
 void join(PassSurface surface, WorkingMesh& mesh, MetricType& metric, const Parallel& parallel) {
+  mesh.wedges.reset(wedges_of(surface, parallel));
+  mesh.texture = std::move(surface.texture);
   surface.position.shrink_to_fit(), surface.faces.shrink_to_fit();
   mesh.position = std::move(surface.position);
   mesh.importance.assign(surface.importance.begin(), surface.importance.end());
   keep_only(surface.vertex_before, parallel, mesh.kind);
   keep_only(surface.vertex_before, parallel, mesh.locked);
+  keep_only(surface.vertex_before, parallel, mesh.on_seam);
   mesh.kind.shrink_to_fit(), mesh.locked.shrink_to_fit();
   surface.vertex_before.shrink_to_fit(), surface.face_origin.shrink_to_fit();
   mesh.vertex_origin = std::move(surface.vertex_before);
@@ -73,15 +92,16 @@ void join(PassSurface surface, WorkingMesh& mesh, MetricType& metric, const Para
   metric.resume(surface.memory, surface.weight, parallel);
 }
 
-/// Before the first collapse: the surface, where passes come first (by_vertex: what the vertices
-/// carry follows from steps of theirs); otherwise the metric is initialized.
+/// Before the first collapse: the surface, where passes come first; otherwise the metric is
+/// initialized.
 template <class MetricType>
 std::optional<PassSurface> prepare(WorkingMesh& mesh, MetricType& metric, const CollapsePlan& plan,
-                                   bool by_vertex, const Parallel& parallel) {
+                                   const Parallel& parallel) {
   if constexpr (HasPasses<MetricType>::value)
-    if (by_vertex && plan.schedule.passes_goal < mesh.connectivity.face_count() &&
-        metric.allows_passes())
-      if (std::optional<PassSurface> surface = split(mesh, metric, parallel)) return surface;
+    if (plan.schedule.passes_goal < mesh.connectivity.face_count() && metric.allows_passes())
+      if (std::optional<PassSurface> surface =
+              split(mesh, metric, plan.limits.attribute_weight, parallel))
+        return surface;
   metric.initialize(parallel);
   return std::nullopt;
 }

@@ -46,22 +46,44 @@ class FanCollapse {
     return Candidate{cost, in_place(least.offset, a, b, half), parameter_along(half, least.offset)};
   }
 
-  /// Where on the faces around the edge that was looked at last, before it collapses, x is nearest,
-  /// by the vertices' numbers before the passes. along: the step on the edge.
+  /// Where on the faces around the edge that was looked at last, before it collapses, x is nearest.
+  /// along: the step on the edge.
   BlendStep nearest_step(const Vector3& x, const EdgeStep& along) const {
     NearestStep nearest(x, step_on_edge(along.keep, along.gone, along.t));
     look_at_faces(a_, nearest), look_at_faces(b_, nearest);
     return nearest.step();
   }
 
+  /// What it costs in the texture that the ends of that edge go to x and `is`; nullopt: a face
+  /// would be turned over there.
+  std::optional<double> texture_price(const Vector3& x, const Vector2& is) const {
+    double sum = 0.0;
+    for (const FanCorners* fan : {&a_, &b_})
+      for (int i = fan == &a_ ? 0 : FanCorners::wings; i < fan->size(); ++i) {
+        const Face face = face_of(*fan, i);
+        TextureTriangle texture;
+        for (int k = 0; k < 3; ++k) texture[k] = surface_.texture_at(fan->face(i), face[k]);
+        sum += texture_deviation(triangle_of(surface_.position, face), texture, x, is);
+        const double before = texture_area(texture);
+        texture[0] = is;
+        if (i >= FanCorners::wings && is_turned_over(before, texture_area(texture)))
+          return std::nullopt;
+      }
+    return surface_.texture_weight * sum;
+  }
+
  private:
+  static Face face_of(const FanCorners& fan, int i) {
+    return {fan.center(), fan.next(i), fan.last(i)};
+  }
+
   void look_at_faces(const FanCorners& fan, NearestStep& nearest) const {
     for (int i = 0; i < fan.size(); ++i) {
-      const Face face{fan.center(), fan.next(i), fan.last(i)};
+      const Face face = face_of(fan, i);
       const Triangle triangle = triangle_of(surface_.position, face);
-      Face before;
-      for (int k = 0; k < 3; ++k) before[k] = surface_.vertex_before[face[k]];
-      nearest.look_at(triangle, face_plane(triangle).normal, before);
+      Face carriers;
+      for (int k = 0; k < 3; ++k) carriers[k] = surface_.carrier(fan.face(i), face[k]);
+      nearest.look_at(triangle, face_plane(triangle).normal, carriers);
     }
   }
 

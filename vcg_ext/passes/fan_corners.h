@@ -31,7 +31,7 @@ class FanCorners {
       if (next == last) continue;  // it has become an edge
       const int with = next == other, against = last == other;
       const int at = with != 0 ? 0 : against != 0 ? 1 : size_;
-      next_[at] = next, last_[at] = last;
+      next_[at] = next, last_[at] = last, face_[at] = f;
       size_ += 1 - (with | against);
     }
     std::fill_n(&next_[size_], lane_count, v), std::fill_n(&last_[size_], lane_count, v);
@@ -46,6 +46,9 @@ class FanCorners {
   int next(int i) const { return next_[i]; }
   int last(int i) const { return last_[i]; }
 
+  /// The number that the face has.
+  int face(int i) const { return face_[i]; }
+
   /// Whether a neighbour, but for those in the wings, is one of the other's.
   bool meets(const FanCorners& other) const {
     LaneMask same{};
@@ -59,7 +62,7 @@ class FanCorners {
   static constexpr int room = FanLists::longest + wings + lane_count;
 
   int center_ = none, size_ = 0;
-  std::array<int, room> next_, last_;
+  std::array<int, room> next_, last_, face_;
 };
 
 /// The faces of such a fan, in groups of as many as there are lanes, and what their planes add up

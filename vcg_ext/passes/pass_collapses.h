@@ -127,12 +127,29 @@ class PassCollapses {
     if (merged_[v] != 0 || merged_[u] != 0) return false;
     const auto candidate = collapse.look(v, u, into_, limit);
     if (!candidate) return false;
-    merge(merge_of({v, u}, *candidate, surface_.position), collapse, steps);
+    const VertexMerge done = merge_of({v, u}, *candidate, surface_.position);
+    const BlendStep step =
+        over_surface_ ? collapse.nearest_step(done.now, along(done)) : BlendStep();
+    if (!surface_.texture.empty() && !suits_texture(done, step, limit - candidate->cost, collapse))
+      return false;
+    merge(done, step, steps);
     largest_cost = std::max(largest_cost, candidate->cost);
     return true;
   }
 
-  void merge(const VertexMerge& merge, const FanCollapse& collapse, BlendSteps& steps) {
+  /// May the merge be done at a price of no more than `most`? Then it is, in the texture.
+  bool suits_texture(const VertexMerge& merge, const BlendStep& step, double most,
+                     const FanCollapse& collapse) {
+    Vector2& texture = surface_.texture[surface_.vertex_before[merge.keep]];
+    const Vector2 now =
+        merge.now == merge.keep_was ? texture : blended(step, surface_.texture, texture);
+    const std::optional<double> price = collapse.texture_price(merge.now, now);
+    if (!price || *price * surface_.importance_of(merge.keep, merge.gone) > most) return false;
+    texture = now;
+    return true;
+  }
+
+  void merge(const VertexMerge& merge, const BlendStep& step, BlendSteps& steps) {
     const auto [keep, gone, keep_was, gone_was, now, t] = merge;
     surface_.memory[keep] =
         SmallQuadric(surface_.memory[keep].quadric().with_origin_moved(now - keep_was) +
@@ -141,20 +158,22 @@ class PassCollapses {
     if (!surface_.importance.empty())
       surface_.importance[keep] +=
           static_cast<float>(t) * (surface_.importance[gone] - surface_.importance[keep]);
-    if (now != keep_was) note(merge, collapse, steps);
+    if (now != keep_was) note(merge, step, steps);
     surface_.position[keep] = now;
     into_[gone] = keep;
     merged_[keep] = merged_[gone] = 1;
   }
 
   /// By the numbers before the passes.
-  void note(const VertexMerge& merge, const FanCollapse& collapse, BlendSteps& steps) const {
-    const EdgeStep along{surface_.vertex_before[merge.keep], surface_.vertex_before[merge.gone],
-                         float(merge.t)};
+  EdgeStep along(const VertexMerge& merge) const {
+    return {surface_.vertex_before[merge.keep], surface_.vertex_before[merge.gone], float(merge.t)};
+  }
+
+  void note(const VertexMerge& merge, const BlendStep& step, BlendSteps& steps) const {
     if (over_surface_)
-      steps.over_surface.push_back(collapse.nearest_step(merge.now, along));
+      steps.over_surface.push_back(step);
     else
-      steps.on_edge.push_back(along);
+      steps.on_edge.push_back(along(merge));
   }
 
   PassSurface& surface_;

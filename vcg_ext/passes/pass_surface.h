@@ -40,7 +40,10 @@ struct PassSurface {
   std::vector<std::uint8_t> held;    // by vertex: 1 if no pass may touch it
   std::vector<int> vertex_before;    // by vertex: its number before the passes
   std::vector<Face> faces;           // none is degenerate
+  std::vector<Face> wedges;          // by face: of the corners that are held; empty: not told apart
   std::vector<int> face_origin;      // by face: as a WorkingMesh has it
+  std::vector<Vector2> texture;      // by carrier; empty: there is none
+  double texture_weight = 0.0;       // guard/texture_guard.h
 
   /// Times the length of a double area vector and the factors of a face's three corners: the weight
   /// of its plane.
@@ -55,6 +58,16 @@ struct PassSurface {
     const auto count = std::count(held.begin(), held.end(), std::uint8_t{1});
     return static_cast<double>(count) <= most_held * static_cast<double>(held.size());
   }
+
+  /// What a corner of face f at v is called in steps: the wedge, or the vertex before the passes. A
+  /// vertex that is not held has one wedge, of the same number.
+  int carrier(int f, int v) const {
+    if (wedges.empty() || held[v] == 0) return vertex_before[v];
+    const Face& face = faces[f];
+    return wedges[f][face[0] == v ? 0 : face[1] == v ? 1 : 2];
+  }
+
+  Vector2 texture_at(int f, int v) const { return texture[carrier(f, v)]; }
 
   /// On the cost of the edge ab.
   float importance_of(int a, int b) const {
@@ -80,7 +93,8 @@ struct PassSurface {
     keep_only(stays, parallel, position), keep_only(stays, parallel, memory);
     keep_only(stays, parallel, weight), keep_only(stays, parallel, importance);
     keep_only(stays, parallel, held), keep_only(stays, parallel, vertex_before);
-    keep_only(left, parallel, faces), keep_only(left, parallel, face_origin);
+    keep_only(left, parallel, faces), keep_only(left, parallel, wedges);
+    keep_only(left, parallel, face_origin);
   }
 };
 

@@ -7,7 +7,7 @@
 #include <tuple>
 #include <vector>
 
-#include "vcg_ext/attributes/carried.h"
+#include "vcg_ext/mesh/seams.h"
 #include "vcg_ext/mesh/working_mesh.h"
 #include "vcg_ext/parallel/parallel.h"
 #include "vcg_ext/refine/input_samples.h"
@@ -20,9 +20,8 @@ namespace curvdecim::detail {
 /// samples of both @cite hoppe1993. The best first; flips of one pass share no vertex.
 class EdgeFlips {
  public:
-  EdgeFlips(WorkingMesh& mesh, InputSamples& of_input, MeshSamples& of_mesh, const MoveGuard& guard,
-            Carried& carried)
-      : mesh_(mesh), of_input_(of_input), of_mesh_(of_mesh), guard_(guard), carried_(carried) {}
+  EdgeFlips(WorkingMesh& mesh, InputSamples& of_input, MeshSamples& of_mesh, const MoveGuard& guard)
+      : mesh_(mesh), of_input_(of_input), of_mesh_(of_mesh), guard_(guard) {}
 
   /// near: by face, a face of the input near it. Returns the number of flips.
   int run(const std::vector<int>& near, const Parallel& parallel) {
@@ -148,8 +147,20 @@ class EdgeFlips {
     if (connectivity.faces_of(flip.a).size() <= least_valence ||
         connectivity.faces_of(flip.b).size() <= least_valence)
       return false;
-    if (carried_.is_seam(mesh_, flip.f, flip.g, flip.a, flip.b)) return false;
+    if (is_seam_edge(mesh_, flip.f, flip.a, flip.b) || turns_over_in_texture(flip)) return false;
     return !connectivity.has_edge(flip.c, flip.d);
+  }
+
+  bool turns_over_in_texture(const Flip& flip) const {
+    if (mesh_.texture.empty()) return false;
+    const auto at = [&](int f, int v) {
+      return mesh_.texture[mesh_.wedges.at(mesh_.connectivity, f, v)];
+    };
+    const Vector2 a = at(flip.f, flip.a), b = at(flip.f, flip.b), c = at(flip.f, flip.c),
+                  d = at(flip.g, flip.d);
+    const double before = texture_area({a, b, c}) + texture_area({b, a, d});
+    return is_turned_over(before, texture_area({a, d, c})) ||
+           is_turned_over(before, texture_area({d, b, c}));
   }
 
   /// A face that may not change has locked corners.
@@ -210,7 +221,7 @@ class EdgeFlips {
   }
 
   void apply(const Flip& flip) {
-    carried_.flip(mesh_, flip.f, flip.g, flip.a, flip.b);
+    if (mesh_.wedges.exist()) mesh_.wedges.flip(mesh_.connectivity, flip.f, flip.g, flip.a, flip.b);
     mesh_.connectivity.flip(flip.f, flip.g, flip.a, flip.b);
     mesh_.update_plane(flip.f), mesh_.update_plane(flip.g);
   }
@@ -224,7 +235,6 @@ class EdgeFlips {
   InputSamples& of_input_;
   MeshSamples& of_mesh_;
   const MoveGuard& guard_;
-  Carried& carried_;
 };
 
 }  // namespace curvdecim::detail

@@ -8,7 +8,7 @@
 #include "vcg_ext/mesh/working_mesh.h"
 #include "vcg_ext/metric/error_weights.h"
 #include "vcg_ext/parallel/parallel.h"
-#include "vcg_ext/refine/border_curve.h"
+#include "vcg_ext/refine/surface_curve.h"
 
 namespace curvdecim::detail {
 
@@ -18,6 +18,7 @@ struct InputCopy {
   std::vector<Face> faces;
   std::vector<float> weight;  // by face: how much its error counts, 1 in the mean
   std::vector<Edge> border;   // edges of one face
+  std::vector<Edge> seams;
 
   Triangle triangle(int f) const { return triangle_of(position, faces[f]); }
 };
@@ -27,13 +28,14 @@ struct InputSurface {
   std::vector<Vector3> position;
   TriangleConnectivity connectivity;
   std::vector<float> weight;
-  std::vector<Edge> border;
+  std::vector<Edge> border, seams;
 
   explicit InputSurface(InputCopy copy)
       : position(std::move(copy.position)),
         connectivity(std::move(copy.faces), static_cast<int>(position.size())),
         weight(std::move(copy.weight)),
-        border(std::move(copy.border)) {}
+        border(std::move(copy.border)),
+        seams(std::move(copy.seams)) {}
 
   int face_count() const { return connectivity.face_slots(); }
   Triangle triangle(int f) const { return triangle_of(position, connectivity.face(f)); }
@@ -72,7 +74,7 @@ inline InputCopy copy_input(const WorkingMesh& mesh, const MetricPlan& metric,
   input.faces.resize(mesh.connectivity.face_slots());
   parallel.for_each(mesh.connectivity.face_slots(),
                     [&](int f) { input.faces[f] = mesh.connectivity.face(f); });
-  input.border = border_edges(mesh);
+  input.border = border_edges(mesh), input.seams = seam_edges(mesh);
   set_face_weights(weights, parallel, input);
   return input;
 }

@@ -10,13 +10,14 @@
 #include "vcg_ext/attributes/carried.h"
 #include "vcg_ext/mesh/working_mesh.h"
 #include "vcg_ext/parallel/parallel.h"
-#include "vcg_ext/refine/border_samples.h"
+#include "vcg_ext/refine/curve_samples.h"
 #include "vcg_ext/refine/edge_flips.h"
 #include "vcg_ext/refine/input_samples.h"
 #include "vcg_ext/refine/input_surface.h"
 #include "vcg_ext/refine/mesh_samples.h"
 #include "vcg_ext/refine/move_guard.h"
 #include "vcg_ext/refine/vertex_fit.h"
+#include "vcg_ext/refine/wedge_moves.h"
 
 namespace curvdecim::detail {
 
@@ -30,17 +31,15 @@ namespace curvdecim::detail {
 ///     steps of all vertices that fit the samples best                      (vertex_fit.h)
 ///     shorten the steps that would spoil or fold a face, or lead astray    (move_guard.h)
 ///
-/// Locked vertices and those of non-manifold curves stay, and so do those that carry different
-/// values in different faces; border vertices move with the boundary.
+/// Locked vertices and those of non-manifold curves stay; those of borders and of seams move with
+/// these.
 class Refinement {
  public:
-  /// mesh: without gaps in its numbers; input: what the mesh was before the collapses; carried: by
-  /// the mesh.
+  /// mesh: without gaps in its numbers; input: what the mesh was before the collapses.
   Refinement(WorkingMesh& mesh, const InputSurface& input, const CollapsePlan& plan,
-             Carried& carried, const Parallel& parallel)
+             const Parallel& parallel)
       : mesh_(mesh),
         input_(input),
-        carried_(carried),
         parallel_(parallel),
         area_(total_area(input)),
         limits_(area_, face_count()),
@@ -49,7 +48,10 @@ class Refinement {
         mesh_tree_(mesh, face_count(), parallel),
         of_input_(input, area_, face_count(), parallel),
         of_mesh_(input, input_tree_, area_, face_count()),
-        of_border_(input, mesh, border_share * plan.boundary_weight, limits_, parallel),
+        of_border_({input.position, input.border}, {mesh.position, border_edges(mesh)},
+                   border_share * plan.boundary_weight, limits_, parallel),
+        of_seams_({input.position, input.seams}, {mesh.position, seam_edges(mesh)}, seam_share,
+                  limits_, parallel),
         guard_(mesh, input, input_tree_, plan.limits.faces),
         near_(face_count(), SurfacePoint::none) {}
 
@@ -65,8 +67,10 @@ class Refinement {
   }
 
   /// Where on the input the vertices that moved take their attributes from. Vertices have the
-  /// numbers that they had at the start, or those of their copies.
+  /// numbers that they had at the start. None where corners are told apart: what lies near may be
+  /// beyond a seam.
   std::vector<BlendStep> attributes() const {
+    if (mesh_.wedges.exist()) return {};
     std::vector<SurfacePoint> from(mesh_.position.size());
     parallel_.for_each(
         static_cast<int>(from.size()),
@@ -76,25 +80,21 @@ class Refinement {
         Parallel::heavy);
     std::vector<BlendStep> steps;
     for (std::size_t v = 0; v < from.size(); ++v)
-      if (from[v].found()) steps.push_back(step_to(static_cast<int>(v), from[v]));
+      if (from[v].found())
+        steps.push_back(BlendStep::at(mesh_.vertex_origin[v],
+                                      input_.connectivity.face(from[v].face), from[v].weight));
     return steps;
   }
 
- private:
-  /// v: on no seam.
-  BlendStep step_to(int v, const SurfacePoint& from) const {
-    if (!carried_.copies)
-      return BlendStep::at(mesh_.vertex_origin[v], input_.connectivity.face(from.face),
-                           from.weight);
-    return BlendStep::at(
-        carried_.copies->values().at(mesh_, *mesh_.connectivity.faces_of(v).begin(), v),
-        carried_.copies->of_start_face(from.face), from.weight);
-  }
+  /// How wedges have followed their vertices, in an order in which it can be replayed.
+  const std::vector<BlendStep>& wedge_steps() const { return wedge_steps_; }
 
+ private:
   static constexpr double ready = 0.05;  // part of the time when the first sweep starts
 
   /// A border's samples against those of the surface: the border must not pull the surface along.
   static constexpr double border_share = 0.3;
+  static constexpr double seam_share = 0.3;
 
   int face_count() const { return mesh_.connectivity.face_slots(); }
 
@@ -103,18 +103,16 @@ class Refinement {
     constexpr double third = 1.0 / 3.0;
     ProgressMeter& progress = parallel_.progress();
     progress.along(0.0, third, [&] { match(limits); });
-    progress.along(third, 2.0 * third, [&] {
-      EdgeFlips(mesh_, of_input_, of_mesh_, guard_, carried_).run(near_, parallel_);
-    });
+    progress.along(third, 2.0 * third,
+                   [&] { EdgeFlips(mesh_, of_input_, of_mesh_, guard_).run(near_, parallel_); });
     progress.along(2.0 * third, 1.0, [&] { fit(fixed); });
   }
 
   std::vector<std::uint8_t> fixed_vertices() const {
     std::vector<std::uint8_t> fixed(mesh_.position.size());
     for (std::size_t i = 0; i < fixed.size(); ++i) {
-      const int v = static_cast<int>(i);
-      fixed[i] = static_cast<std::uint8_t>(
-          mesh_.locked[i] != 0 || mesh_.kind[i] >= VertexKind::Curve || carried_.on_seam(mesh_, v));
+      fixed[i] =
+          static_cast<std::uint8_t>(mesh_.locked[i] != 0 || mesh_.kind[i] >= VertexKind::Curve);
     }
     return fixed;
   }
@@ -133,14 +131,14 @@ class Refinement {
       if (samples.size() > 0) near_[f] = of_input_.input_face(*(samples.end() - 1));
     });
     of_mesh_.match(mesh_, near_, limits, parallel_);
-    of_border_.match(parallel_);
+    of_border_.match(parallel_), of_seams_.match(parallel_);
   }
 
   void fit(const std::vector<std::uint8_t>& fixed) {
     std::vector<Vector3> steps =
-        VertexFit(mesh_, parallel_).steps(of_input_, of_mesh_, of_border_, fixed);
+        VertexFit(mesh_, parallel_).steps(of_input_, of_mesh_, {&of_border_, &of_seams_}, fixed);
     std::vector<Vector3> now = guard_.moved(std::move(steps), near_, farthest(), parallel_);
-    if (carried_.wedges) carried_.wedges->move(mesh_, now);
+    if (mesh_.wedges.exist()) WedgeMoves(mesh_, parallel_).follow(now, wedge_steps_);
     mesh_.position.swap(now);
     mesh_.update_planes(parallel_);
     mesh_tree_.refit(parallel_);
@@ -169,7 +167,6 @@ class Refinement {
 
   WorkingMesh& mesh_;
   const InputSurface& input_;
-  Carried& carried_;
   const Parallel& parallel_;
   const double area_;  // of the input
   const MatchLimits limits_;
@@ -178,8 +175,9 @@ class Refinement {
   TriangleTree<WorkingMesh> mesh_tree_;
   InputSamples of_input_;
   MeshSamples of_mesh_;
-  BorderSamples of_border_;
+  CurveSamples of_border_, of_seams_;
   MoveGuard guard_;
+  std::vector<BlendStep> wedge_steps_;
   std::vector<int> near_;  // by face of the mesh: a face of the input near it
 };
 
@@ -192,11 +190,10 @@ inline std::optional<InputCopy> keep_input(const WorkingMesh& mesh, const Collap
 }
 
 /// Gives what is left new numbers without gaps, so that what is gone needs no memory.
-inline void pack(WorkingMesh& mesh, Carried& carried) {
+inline void pack(WorkingMesh& mesh) {
   const Renumbering without_gaps(mesh.connectivity);
   mesh.renumber(without_gaps);
   mesh = WorkingMesh(mesh);  // a copy has no room to spare
-  carried.renumber(without_gaps);
 }
 
 /// Moves vertices and flips edges of the decimated mesh, as often as the plan says, to bring it
@@ -205,13 +202,14 @@ inline void refine(WorkingMesh& decimated, std::optional<InputCopy> input, const
                    Carried& carried, const Parallel& parallel) {
   if (!input) return;
   plan.times.begin_refining(parallel.progress());
-  pack(decimated, carried);
+  pack(decimated);
   if (decimated.connectivity.face_count() == 0) return;  // may be without the link condition
   const InputSurface surface(std::move(*input));
   parallel.progress().ask();
-  Refinement refinement(decimated, surface, plan, carried, parallel);
+  Refinement refinement(decimated, surface, plan, parallel);
   refinement.run(plan.refine_sweeps);
   carried.resampled = refinement.attributes();
+  carried.blended.append(refinement.wedge_steps());
   assert((decimated.connectivity.validate(), true));
 }
 

@@ -2,11 +2,12 @@
 #pragma once
 
 #include <algorithm>
+#include <initializer_list>
 #include <vector>
 
 #include "vcg_ext/mesh/working_mesh.h"
 #include "vcg_ext/parallel/parallel.h"
-#include "vcg_ext/refine/border_samples.h"
+#include "vcg_ext/refine/curve_samples.h"
 #include "vcg_ext/refine/input_samples.h"
 #include "vcg_ext/refine/mesh_samples.h"
 #include "vcg_ext/refine/normal_equations.h"
@@ -22,7 +23,7 @@ class VertexFit {
 
   /// fixed: by vertex, 1 may not move.
   std::vector<Vector3> steps(const InputSamples& of_input, const MeshSamples& of_mesh,
-                             const BorderSamples& of_border,
+                             std::initializer_list<const CurveSamples*> of_curves,
                              const std::vector<std::uint8_t>& fixed) const {
     NormalEquations equations(mesh_.connectivity, fixed);
     for (int begin = 0; begin < mesh_.connectivity.face_slots(); begin += block)
@@ -30,8 +31,9 @@ class VertexFit {
                 equations);
     for (int v = 0; v < mesh_.connectivity.vertex_slots(); ++v)
       add_vertex(v, of_mesh.match_of_vertex(mesh_, v), equations);
-    for (int e = 0; e < of_border.edge_count(); ++e)
-      equations.add_edge(of_border.edge(e), system_of_edge(of_border, e));
+    for (const CurveSamples* of_curve : of_curves)
+      for (int e = 0; e < of_curve->edge_count(); ++e)
+        equations.add_edge(of_curve->edge(e), system_of_edge(*of_curve, e));
     return equations.solve(parallel_);
   }
 
@@ -74,12 +76,12 @@ class VertexFit {
 
   /// Across an edge a sample counts in both directions, beyond its ends along the line to its
   /// match. One that lies on its match holds the edge where it is.
-  static CornerSystem system_of_edge(const BorderSamples& of_border, int e) {
-    const Triangle edge = of_border.triangle(e);
+  static CornerSystem system_of_edge(const CurveSamples& of_curve, int e) {
+    const Triangle edge = of_curve.triangle(e);
     const Vector3 along = (edge[1] - edge[0]).normalized();
     const Symmetric3 across = Symmetric3::outer(along, -1.0).plus_diagonal(1.0);
     CornerSystem system;
-    for (const Match& match : of_border.of_edge(e)) {
+    for (const Match& match : of_curve.of_edge(e)) {
       const bool is_off = match.distance2 > 0.0;
       const Vector3 pull = is_off ? Vector3(match.target - at(edge, match.at)) : Vector3::Zero();
       if (match.at[0] > 0.0 && match.at[1] > 0.0)

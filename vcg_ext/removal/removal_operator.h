@@ -113,6 +113,7 @@ class RemovalOperator {
   Removed remove(const RemovalAnswer& answer, const Scratch& scratch) {
     const VertexFan& fan = scratch.fan;
     for (RemovalObserver* observer : observers_) observer->before(mesh_, fan, scratch.faces);
+    if (mesh_.wedges.exist()) hand_over_wedges(scratch.faces);
     std::vector<Face> now(fan.faces().size(), dead_face);
     for (std::size_t i = 0; i < scratch.faces.size(); ++i) {
       const NewFace& face = scratch.faces[i];
@@ -138,6 +139,15 @@ class RemovalOperator {
     Vector3 foot;     // of the vertex
     double distance;  // of the vertex from its foot
   };
+
+  /// A corner of a new face has the wedge that its vertex has on this side of a seam.
+  void hand_over_wedges(const std::vector<NewFace>& faces) {
+    std::vector<Face> now(faces.size());
+    for (std::size_t i = 0; i < faces.size(); ++i)
+      for (int k = 0; k < 3; ++k)
+        now[i][k] = mesh_.wedges.at(mesh_.connectivity, faces[i].source[k], faces[i].corners[k]);
+    for (std::size_t i = 0; i < faces.size(); ++i) mesh_.wedges.set_face(faces[i].slot, now[i]);
+  }
 
   bool is_hub(int v) const { return mesh_.connectivity.faces_of(v).size() > VertexFan::longest; }
 

@@ -10,14 +10,13 @@
 
 namespace curvdecim::detail {
 
-/// The lines of the mesh: its sharp edges, and seams, which nothing leaves. is_seam(f, g, a, b): of
-/// the edge ab between the faces f and g.
-template <class IsSeam>
-FeatureEdges feature_edges(const WorkingMesh& mesh, const RemovalPlan& plan, IsSeam is_seam,
-                           const Parallel& parallel) {
+/// The lines of the mesh: its sharp edges, and seams, which nothing leaves.
+inline FeatureEdges feature_edges(const WorkingMesh& mesh, const RemovalPlan& plan,
+                                  const Parallel& parallel) {
   const SharpEdges sharp(mesh, plan.feature_angle);
   return FeatureEdges(mesh.connectivity, parallel, [&](int f, int g, int a, int b) {
-    if (is_seam(f, g, a, b)) return EdgeMark::Held;
+    if (mesh.wedges.exist() && mesh.wedges.differ(mesh.connectivity, f, g, a, b))
+      return EdgeMark::Held;
     if (!sharp.between(f, g)) return EdgeMark::None;
     return plan.preserve_features ? EdgeMark::Held : EdgeMark::Feature;
   });
@@ -26,8 +25,7 @@ FeatureEdges feature_edges(const WorkingMesh& mesh, const RemovalPlan& plan, IsS
 /// The class of every vertex.
 inline std::vector<VertexClass> classify(WorkingMesh& mesh, const RemovalPlan& plan,
                                          const Parallel& parallel) {
-  const auto no_seam = [](int, int, int, int) { return false; };
-  const RemovalOperator removals(mesh, feature_edges(mesh, plan, no_seam, parallel), plan, {});
+  const RemovalOperator removals(mesh, feature_edges(mesh, plan, parallel), plan, {});
   std::vector<VertexClass> classes;
   classes.reserve(mesh.position.size());
   VertexFan fan;
@@ -38,11 +36,9 @@ inline std::vector<VertexClass> classify(WorkingMesh& mesh, const RemovalPlan& p
 
 /// Removes vertices of the mesh, those nearest to what is left first, as far as the plan says.
 /// Throws CancelRequest.
-template <class IsSeam>
-Tally remove_vertices(WorkingMesh& mesh, const RemovalPlan& plan, IsSeam is_seam,
-                      RemovalObservers observers, const Parallel& parallel) {
-  RemovalOperator removals(mesh, feature_edges(mesh, plan, is_seam, parallel), plan,
-                           std::move(observers));
+inline Tally remove_vertices(WorkingMesh& mesh, const RemovalPlan& plan, RemovalObservers observers,
+                             const Parallel& parallel) {
+  RemovalOperator removals(mesh, feature_edges(mesh, plan, parallel), plan, std::move(observers));
   const Tally tally = RemovalSchedule(mesh, removals, plan, parallel).run();
   assert((mesh.connectivity.validate(), true));
   return tally;

@@ -86,7 +86,7 @@ inline void note_open_seams(const WorkingMesh& mesh, const std::vector<int>& ver
 
 inline void note_seams(DecimationReport& report) {
   report.notes.push_back(
-      "The texture has seams. Its coordinates are carried, but seams may shift a little.");
+      "The texture has seams. They are carried, and may shift as far as the surface does.");
 }
 
 /// mesh: after the collapses.

@@ -48,7 +48,9 @@ inline int passes_goal(Scheduler scheduler, const StopCriterion& stop) {
 
 inline QuadricPlan quadric_plan(const DecimationParams& params, const QuadricParams& quadrics,
                                 bool keeps_topology) {
-  return {quadrics, params.boundary_weight, params.feature_angle, keeps_topology};
+  constexpr double seam_share = 0.2;  // of a boundary's weight (docs/decisions/seams.md)
+  return {quadrics, params.boundary_weight, params.feature_angle, keeps_topology,
+          seam_share * params.boundary_weight};
 }
 
 inline MetricPlan metric_plan(const EdgeCollapseParams& params, bool keeps_topology,
@@ -91,6 +93,7 @@ inline std::optional<CollapsePlan> plan_collapse(const DecimationParams& params,
   plan.limits.keeps_boundary = params.preserve_boundary;
   plan.limits.topology_gives_way = !params.preserve_topology && !(params.max_error > 0.0);
   plan.limits.max_error = params.max_error / input.diagonal;
+  plan.limits.attribute_weight = params.attribute_weight;
   plan.metric = quadric_plan(params, QuadricParams(), true);
   plan.schedule = schedule_of(Scheduler::Rounds, true);
   plan.boundary_weight = params.boundary_weight;

@@ -47,6 +47,8 @@ inline ReasonWords words_of(Rejection reason, const CollapseLimits& limits) {
       return {"the error could exceed Maximum error", "To go further, raise Maximum error."};
     case Rejection::HubAtRest:
       return {"a vertex of very many faces waits after a step that was refused or cost more", ""};
+    case Rejection::TextureFlip:
+      return {"a face would be turned over in the texture, or a chart would get larger there", ""};
     case Rejection::VertexClass:
     case Rejection::LoopSplit: break;  // of vertex removal
   }
@@ -81,6 +83,7 @@ inline ReasonWords words_of(Rejection reason, const RemovalPlan&) {
               other_way_advice};
     case Rejection::LoopSplit:
       return {"no line parts the loop around the vertex", other_way_advice};
+    case Rejection::TextureFlip:
     case Rejection::HubAtRest: break;  // of edge collapse
   }
   return {"", ""};

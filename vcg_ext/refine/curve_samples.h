@@ -2,27 +2,27 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "vcg_ext/parallel/parallel.h"
-#include "vcg_ext/refine/border_curve.h"
-#include "vcg_ext/refine/input_surface.h"
 #include "vcg_ext/refine/match.h"
+#include "vcg_ext/refine/surface_curve.h"
 #include "vcg_ext/refine/triangle_tree.h"
 
 namespace curvdecim::detail {
 
-/// Samples of the boundaries of the mesh and of the input, each with the nearest point of the
-/// other's boundary, unless that one belongs to something else.
-class BorderSamples {
+/// Samples of curves of the mesh and of the input, such as their boundaries, each with the nearest
+/// point of the other's curves, unless that one belongs to something else.
+class CurveSamples {
  public:
   /// weight: against samples of the surface.
-  BorderSamples(const InputSurface& input, const WorkingMesh& mesh, double weight,
-                const MatchLimits& limits, const Parallel& parallel)
+  CurveSamples(SurfaceCurve of_input, SurfaceCurve of_mesh, double weight,
+               const MatchLimits& limits, const Parallel& parallel)
       : weight_(weight),
         limits_(limits),
-        of_input_(input.position, input.border),
-        of_mesh_(mesh.position, border_edges(mesh)) {
+        of_input_(std::move(of_input)),
+        of_mesh_(std::move(of_mesh)) {
     if (of_input_.size() == 0 || of_mesh_.size() == 0 || !(weight > 0.0)) return;
     input_tree_.emplace(of_input_, of_input_.size(), parallel);
     mesh_tree_.emplace(of_mesh_, of_mesh_.size(), parallel);
@@ -75,9 +75,9 @@ class BorderSamples {
     }
   }
 
-  /// True if the match is much nearer to another place of the boundary that the sample is of. Then
+  /// True if the match is much nearer to another place of the curves that the sample is of. Then
   /// the sample's own place has no counterpart: its hole was closed, or torn open.
-  static bool has_nearer(const TriangleTree<BorderCurve>& own, const Vector3& match,
+  static bool has_nearer(const TriangleTree<SurfaceCurve>& own, const Vector3& match,
                          const SurfacePoint& found) {
     constexpr double much2 = 0.25;  // squared: half as far
     const Vector3 any_way = Vector3::Zero();
@@ -91,8 +91,8 @@ class BorderSamples {
 
   const double weight_;
   const MatchLimits limits_;
-  BorderCurve of_input_, of_mesh_;
-  std::optional<TriangleTree<BorderCurve>> input_tree_, mesh_tree_;
+  SurfaceCurve of_input_, of_mesh_;
+  std::optional<TriangleTree<SurfaceCurve>> input_tree_, mesh_tree_;
   std::vector<std::vector<Match>> of_edge_;  // by edge of the mesh
 };
 

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Textures: what is carried by the corners of faces, and jumps at seams.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "support/decimation.h"
+#include "support/drawn_meshes.h"
+#include "support/mesh_types.h"
+
+namespace curvdecim::test {
+
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+/// A sphere in six charts, one for each side of the cube around it, each in its own cell of the
+/// texture: a square that a chart's jagged outline nearly fills.
+void fill_cube_map(RichMesh& mesh, int subdivisions) {
+  fill(mesh, icosphere(subdivisions));
+  for (RichFace& f : mesh.face) {
+    const vcg::Point3d c = f.cP(0) + f.cP(1) + f.cP(2);
+    int axis = 0;
+    for (int k = 1; k < 3; ++k)
+      if (std::abs(c[k]) > std::abs(c[axis])) axis = k;
+    const int page = 2 * axis + (c[axis] > 0.0 ? 1 : 0);
+    for (int i = 0; i < 3; ++i) {
+      const vcg::Point3d p = f.cP(i);
+      const double side = std::abs(p[axis]);
+      f.WT(i).u() = 0.5 + 0.3 * p[(axis + 1) % 3] / side * (page % 2 == 0 ? -1.0 : 1.0);
+      f.WT(i).v() = 0.5 + 0.3 * p[(axis + 2) % 3] / side;
+      f.WT(i).n() = static_cast<short>(page);
+    }
+  }
+}
+
+double area_in_texture(const RichFace& f) {
+  return (f.cWT(1).u() - f.cWT(0).u()) * (f.cWT(2).v() - f.cWT(0).v()) -
+         (f.cWT(2).u() - f.cWT(0).u()) * (f.cWT(1).v() - f.cWT(0).v());
+}
+
+/// How much of the texture is outside of its place on the sphere, in the mean over corners.
+double drift(const RichMesh& mesh) {
+  double sum = 0.0;
+  for (const RichFace& f : mesh.face)
+    for (int i = 0; i < 3; ++i) {
+      const int page = f.cWT(i).n(), axis = page / 2;
+      vcg::Point3d there;
+      there[axis] = page % 2 == 0 ? -1.0 : 1.0;
+      there[(axis + 1) % 3] = (f.cWT(i).u() - 0.5) / 0.3 * (page % 2 == 0 ? -1.0 : 1.0);
+      there[(axis + 2) % 3] = (f.cWT(i).v() - 0.5) / 0.3;
+      vcg::Point3d direction = there, is = f.cP(i);
+      sum += (direction.Normalize() - is.Normalize()).Norm();
+    }
+  return sum / (3.0 * mesh.fn);
+}
+
+class CubeMap : public testing::TestWithParam<Preset> {
+ protected:
+  CubeMap() {
+    fill_cube_map(mesh_, 5);  // 20,480 faces
+    params_.preset = GetParam();
+    params_.target_faces = 1500;
+  }
+
+  RichMesh mesh_;
+  EdgeCollapseParams params_;
+};
+
+TEST_P(CubeMap, NoFaceIsTurnedOverInTheTexture) {
+  for (const RichFace& f : mesh_.face) ASSERT_GT(area_in_texture(f), 0.0);
+  decimate(mesh_, params_);
+  EXPECT_LE(mesh_.fn, 1500);
+  for (const RichFace& f : mesh_.face) EXPECT_GT(area_in_texture(f), 0.0);
+}
+
+TEST_P(CubeMap, ChartsDoNotMixAndStayInTheirPlace) {
+  decimate(mesh_, params_);
+  std::set<int> pages;
+  for (const RichFace& f : mesh_.face) {
+    pages.insert(f.cWT(0).n());
+    for (int i = 0; i < 3; ++i) EXPECT_EQ(f.cWT(i).n(), f.cWT(0).n());
+  }
+  EXPECT_EQ(pages.size(), 6u);
+  EXPECT_LT(drift(mesh_), 0.01);  // an edge is 0.1
+}
+
+TEST_P(CubeMap, IsTheSameOnAnyNumberOfThreads) {
+  RichMesh other;
+  fill_cube_map(other, 5);
+  params_.threads = 1;
+  decimate(mesh_, params_);
+  params_.threads = 3;
+  decimate(other, params_);
+  EXPECT_EQ(shape_of(mesh_), shape_of(other));
+  for (int f = 0; f < mesh_.fn; ++f)
+    for (int i = 0; i < 3; ++i) EXPECT_EQ(mesh_.face[f].cWT(i), other.face[f].cWT(i));
+}
+
+INSTANTIATE_TEST_SUITE_P(Presets, CubeMap,
+                         testing::Values(Preset::Fast, Preset::Balanced, Preset::Best),
+                         [](const auto& preset) {
+                           return std::string(labels(Preset())[int(preset.param)]);
+                         });
+
+/// A cut disk in the plane, its outline a circle: the outline of what is left lies inside of it.
+TEST(TextureOutline, OfAConcaveChartIsNotLeft) {
+  RichMesh mesh;
+  fill(mesh, annulus(96, 24));  // radii 1 and 2: the hole is a concave side of the chart
+  for (RichFace& f : mesh.face)
+    for (int i = 0; i < 3; ++i)
+      f.WT(i).u() = 0.5 + 0.2 * f.cP(i)[0], f.WT(i).v() = 0.5 + 0.2 * f.cP(i)[1], f.WT(i).n() = 0;
+  EdgeCollapseParams params = to_faces(150);
+  decimate(mesh, params);
+  const double hole = 0.2 * std::cos(pi / 96.0);  // of the input's polygon, at the middle of a side
+  for (const RichFace& f : mesh.face)
+    for (int i = 0; i < 3; ++i) {
+      const double u = 0.5 * (f.cWT(i).u() + f.cWT((i + 1) % 3).u()) - 0.5;
+      const double v = 0.5 * (f.cWT(i).v() + f.cWT((i + 1) % 3).v()) - 0.5;
+      EXPECT_GE(std::hypot(u, v), hole - 1e-6);
+    }
+}
+
+TEST(Texture, WithoutAreaChangesNothing) {
+  RichMesh textured;
+  fill(textured, bumpy_sphere(4));
+  BareMesh bare;
+  fill(bare, bumpy_sphere(4));
+  decimate(textured, to_faces(500));
+  decimate(bare, to_faces(500));
+  EXPECT_EQ(shape_of(textured), shape_of(bare));
+}
+
+TEST(Texture, ThatIsAffineCostsNothing) {
+  RichMesh textured;
+  fill(textured, saddle(32));
+  for (RichFace& f : textured.face)
+    for (int i = 0; i < 3; ++i) f.WT(i).u() = 7.0 + f.cP(i)[0], f.WT(i).v() = f.cP(i)[1];
+  EdgeCollapseParams params = to_faces(1500);
+  RichMesh other;
+  fill(other, saddle(32));
+  decimate(textured, params);
+  decimate(other, params);
+  EXPECT_NEAR(textured.fn, other.fn, 1);
+  for (const RichFace& f : textured.face)
+    for (int i = 0; i < 3; ++i) {
+      EXPECT_NEAR(f.cWT(i).u(), 7.0 + f.cP(i)[0], 0.01);
+      EXPECT_NEAR(f.cWT(i).v(), f.cP(i)[1], 0.01);
+    }
+}
+
+/// In a plane nothing else costs anything: u = x^3 is followed where it bends.
+TEST(AttributeWeight, LowersTheDrift) {
+  const auto error_with = [](double weight) {
+    RichMesh mesh;
+    fill(mesh, plane_grid(40));
+    for (RichFace& f : mesh.face)
+      for (int i = 0; i < 3; ++i) f.WT(i).u() = std::pow(f.cP(i)[0], 3.0), f.WT(i).v() = f.cP(i)[1];
+    EdgeCollapseParams params = to_faces(120);
+    params.attribute_weight = weight;
+    decimate(mesh, params);
+    double worst = 0.0;
+    for (const RichFace& f : mesh.face)
+      for (int i = 0; i < 3; ++i) {
+        const vcg::Point3d middle = (f.cP(i) + f.cP((i + 1) % 3)) / 2.0;
+        const double u = 0.5 * (f.cWT(i).u() + f.cWT((i + 1) % 3).u());
+        worst = std::max(worst, std::abs(u - std::pow(middle[0], 3.0)));
+      }
+    return worst;
+  };
+  EXPECT_LT(error_with(1.0), 0.5 * error_with(0.0));
+}
+
+}  // namespace
+}  // namespace curvdecim::test

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "vcg_ext/mesh/blend_step.h"
+#include "vcg_ext/mesh/seams.h"
+#include "vcg_ext/mesh/texture_outline.h"
+
+namespace curvdecim::detail {
+
+/// The faces around an edge by chart: what they carry goes on inside one, by a wedge that they have
+/// in common at an end of the edge. When the edge collapses each chart goes on as one wedge, with
+/// what was carried at the chart's own point nearest to the merged vertex; along a seam with what
+/// was carried at the same place of the edge on both sides. So no chart tears, and no two mix. In
+/// the texture a chart stays inside of what it was there, so that nothing shows that is in no
+/// chart. Reused from edge to edge; empty where corners are not told apart.
+class EdgeCharts {
+ public:
+  /// merge: as if the edge collapsed.
+  void gather(const WorkingMesh& mesh, const EdgeNeighborhood& around, const VertexMerge& merge) {
+    charts_.clear(), corners_.clear(), faces_.clear();
+    for (const std::vector<int>* faces : {&around.wings(), &around.star()})
+      for (int f : *faces) faces_.push_back({f, join(mesh, f, merge)});
+    wings_ = around.wings().size();
+    for (int c = 0; c < count(); ++c)
+      if (!is_united(c)) charts_[c].step = step_of(mesh, merge, c);
+    fit_texture_ = true;
+    for (int c = 0; c < count() && !mesh.texture.empty(); ++c)
+      if (!is_united(c)) place_in_texture(mesh, merge, c);
+  }
+
+  int count() const { return static_cast<int>(charts_.size()); }
+
+  /// The wedge that chart c goes on as; none: it is one with another.
+  int wedge(int c) const {
+    return charts_[c].at_keep != Wedges::none ? charts_[c].at_keep : charts_[c].at_gone;
+  }
+
+  /// How that wedge changes; of `none`: it stays.
+  const BlendStep& step(int c) const { return charts_[c].step; }
+
+  /// Where it is in the texture then.
+  const Vector2& texture(int c) const { return charts_[c].texture; }
+
+  /// False where a chart cannot stay inside of what it was in the texture.
+  bool fit_texture() const { return fit_texture_; }
+
+  /// The charts of the faces of the neighbourhood.
+  int of_wing(std::size_t i) const { return faces_[i].chart; }
+  int of_star(std::size_t i) const { return faces_[wings_ + i].chart; }
+
+ private:
+  struct Chart {
+    int at_keep = Wedges::none, at_gone = Wedges::none;
+    BlendStep step{};
+    Vector2 texture = Vector2::Zero();
+  };
+
+  struct ChartFace {
+    int face, chart;
+  };
+
+  struct Corner {
+    int vertex, wedge, chart;
+  };
+
+  bool is_united(int c) const { return wedge(c) == Wedges::none; }
+
+  /// The chart of face f, which may be new.
+  int join(const WorkingMesh& mesh, int f, const VertexMerge& merge) {
+    const Face &face = mesh.connectivity.face(f), &wedges = mesh.wedges.of_face(f);
+    int chart = Wedges::none;
+    for (int i = 0; i < 3; ++i)
+      if (const Corner* known = find(face[i], wedges[i]))
+        chart = chart == Wedges::none ? known->chart : united(chart, known->chart);
+    if (chart == Wedges::none) chart = count(), charts_.emplace_back();
+    for (int i = 0; i < 3; ++i)
+      if (merge.has(face[i]) && !find(face[i], wedges[i])) {
+        corners_.push_back({face[i], wedges[i], chart});
+        int& at = face[i] == merge.keep ? charts_[chart].at_keep : charts_[chart].at_gone;
+        if (at == Wedges::none) at = wedges[i];
+      }
+    return chart;
+  }
+
+  const Corner* find(int vertex, int wedge) const {
+    for (const Corner& corner : corners_)
+      if (corner.vertex == vertex && corner.wedge == wedge) return &corner;
+    return nullptr;
+  }
+
+  /// A face may join what two others did not.
+  int united(int a, int b) {
+    if (a == b) return a;
+    for (Corner& corner : corners_)
+      if (corner.chart == b) corner.chart = a;
+    for (ChartFace& face : faces_)
+      if (face.chart == b) face.chart = a;
+    if (charts_[a].at_keep == Wedges::none) charts_[a].at_keep = charts_[b].at_keep;
+    if (charts_[a].at_gone == Wedges::none) charts_[a].at_gone = charts_[b].at_gone;
+    charts_[b] = {};
+    return a;
+  }
+
+  BlendStep step_of(const WorkingMesh& mesh, const VertexMerge& merge, int c) const {
+    const auto [at_keep, at_gone, step, texture] = charts_[c];
+    if (at_keep != Wedges::none && merge.now == merge.keep_was) return {};
+    const bool has_both = at_keep != Wedges::none && at_gone != Wedges::none;
+    if (has_both && is_on_seam(mesh, merge.keep) && is_on_seam(mesh, merge.gone))
+      return step_on_edge(at_keep, at_gone, merge.t);
+    NearestStep nearest(merge.now, step_on_edge(wedge(c), wedge(c), 0.0));
+    for (const auto [f, chart] : faces_)
+      if (chart == c)
+        nearest.look_at(mesh.triangle(f), mesh.plane[f].normal, mesh.wedges.of_face(f));
+    return nearest.step();
+  }
+
+  void place_in_texture(const WorkingMesh& mesh, const VertexMerge& merge, int c) {
+    const BlendStep& step = charts_[c].step;
+    Vector2& texture = charts_[c].texture;
+    texture = mesh.texture[wedge(c)];
+    if (step.keep != BlendStep::none) texture = blended(step, mesh.texture, texture);
+    if (is_inside(mesh, merge.keep) && is_inside(mesh, merge.gone)) return;
+    if (!gather_outline(mesh, merge, c)) return;
+    const std::optional<Vector2> place = outline_.nearest(texture);
+    texture = place.value_or(texture);
+    fit_texture_ = fit_texture_ && place;
+  }
+
+  /// On no outline of a chart.
+  static bool is_inside(const WorkingMesh& mesh, int v) {
+    return mesh.kind[v] == VertexKind::Interior && !is_on_seam(mesh, v);
+  }
+
+  /// The edges of the chart's outline at the two vertices, but for the one between them. False: the
+  /// chart has no area in the texture.
+  bool gather_outline(const WorkingMesh& mesh, const VertexMerge& merge, int c) {
+    double area = 0.0;
+    for (const auto [f, chart] : faces_)
+      if (chart == c) area += texture_area(mesh.texture_triangle(f));
+    outline_.clear(area > 0.0 ? 1.0 : -1.0);
+    for (const auto [f, chart] : faces_)
+      for (int i = 0; i < 3 && chart == c; ++i) {
+        const int a = mesh.connectivity.face(f)[i], b = mesh.connectivity.face(f)[(i + 1) % 3];
+        if (merge.has(a) == merge.has(b) || !is_outline(mesh, f, a, b)) continue;
+        const TextureTriangle triangle = mesh.texture_triangle(f);
+        outline_.add(triangle[i], triangle[(i + 1) % 3]);
+      }
+    return area != 0.0;
+  }
+
+  std::vector<Chart> charts_;
+  std::vector<Corner> corners_;   // at the edge's ends
+  std::vector<ChartFace> faces_;  // the wings, then the star
+  std::size_t wings_ = 0;
+  TextureOutline outline_;
+  bool fit_texture_ = true;
+};
+
+/// Before the connectivity follows: what the edge's ends carry becomes one.
+inline void merge_wedges(WorkingMesh& mesh, const EdgeNeighborhood& around,
+                         const EdgeCharts& charts) {
+  for (int c = 0; c < charts.count() && !mesh.texture.empty(); ++c)
+    if (charts.wedge(c) != Wedges::none) mesh.texture[charts.wedge(c)] = charts.texture(c);
+  const auto [a, b] = around.edge();
+  for (std::size_t i = 0; i < around.star().size(); ++i) {
+    const int f = around.star()[i];
+    const int end = mesh.connectivity.face_has(f, a) ? a : b;
+    mesh.wedges.set(mesh.connectivity, f, end, charts.wedge(charts.of_star(i)));
+  }
+}
+
+}  // namespace curvdecim::detail
