@@ -19,7 +19,6 @@
 #include "vcg_ext/guard/texture_guard.h"
 #include "vcg_ext/mesh/vertex_ring.h"
 #include "vcg_ext/metric/metric.h"
-#include "vcg_ext/metric/placement.h"
 
 namespace curvdecim::detail {
 
@@ -135,11 +134,11 @@ class CollapseOperator {
     }
   }
 
-  /// The guards' answer, were the edge collapsed to x. Leaves its neighbourhood in the scratch.
-  GuardAnswer ask(Edge edge, const Vector3& x, Scratch& scratch) const {
+  /// The guards' answer, were the edge collapsed so. Leaves its neighbourhood in the scratch.
+  GuardAnswer ask(Edge edge, const Candidate& candidate, Scratch& scratch) const {
     scratch.around.gather(mesh_.connectivity, edge);
-    GuardAnswer answer = guards_.ask(scratch.around, x, scratch.after);
-    if (!answer.refusal && mesh_.wedges.exist()) ask_texture(edge, x, scratch, answer);
+    GuardAnswer answer = guards_.ask(scratch.around, candidate.position, scratch.after);
+    if (!answer.refusal && mesh_.wedges.exist()) ask_texture(edge, candidate, scratch, answer);
     if (answer.price > 0.0) answer.price = importance(edge) * price_unit_(answer.price);
     return answer;
   }
@@ -214,13 +213,12 @@ class CollapseOperator {
            mesh_.connectivity.edge_valence(edge.a, edge.b) > most_faces_;
   }
 
-  /// The charts of the collapse to x, in the scratch, and what it does in the texture.
-  void ask_texture(Edge edge, const Vector3& x, Scratch& scratch, GuardAnswer& answer) const {
-    const Vector3 &a = mesh_.position[edge.a], half = 0.5 * (mesh_.position[edge.b] - a);
-    const Candidate candidate{0.0, x, parameter_along(half, x - (a + half))};
+  /// The charts of the collapse, in the scratch, and what it does in the texture.
+  void ask_texture(Edge edge, const Candidate& candidate, Scratch& scratch,
+                   GuardAnswer& answer) const {
     scratch.charts.gather(mesh_, scratch.around, merge_of(edge, candidate, mesh_.position));
     if (!texture_guard_) return;
-    const auto price = texture_guard_->price(scratch.around, scratch.charts, x);
+    const auto price = texture_guard_->price(scratch.around, scratch.charts, candidate.position);
     if (price)
       answer.price += *price;
     else

@@ -162,7 +162,7 @@ class RoundSchedule {
       drop_needless();
       for_picks([&](int i, Scratch& scratch) {
         if (picks_[i].ready)
-          collapses_.ask(picks_[i].edge, picks_[i].candidate.position, scratch);  // for the scratch
+          collapses_.ask(picks_[i].edge, picks_[i].candidate, scratch);  // for the scratch
         collapse(i, scratch);
       });
     } else {
@@ -196,7 +196,7 @@ class RoundSchedule {
         candidate && !(selection_.limit() < collapses_.priority(pick.edge, candidate->cost));
     if (!pick.ready) return;
     pick.candidate = *candidate;
-    pick.answer = rests_.ask(pick.edge, candidate->position, scratch);
+    pick.answer = rests_.ask(pick.edge, *candidate, scratch);
     const Priority price = collapses_.priority(pick.edge, candidate->cost + pick.answer.price);
     const bool affordable = !pick.answer.refusal && !(selection_.limit() < price);
     pick.clears = affordable && pick.answer.obstacle.exists();
@@ -259,7 +259,7 @@ class RoundSchedule {
     const std::optional<Candidate> candidate =
         collapses_.exists(edge) ? collapses_.evaluate(edge) : std::nullopt;
     if (!candidate) return;
-    const GuardAnswer answer = collapses_.ask(edge, candidate->position, scratch_[0]);
+    const GuardAnswer answer = collapses_.ask(edge, *candidate, scratch_[0]);
     if (answer.refusal || !answer.obstacle.exists()) return;
     const std::vector<int> touched = collapses_.clear(edge, answer.obstacle, next_number_, tally);
     refused_[edge.a] = touched.empty();

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cstdint>
+#include <numeric>
 #include <type_traits>
 #include <vector>
 
@@ -78,13 +79,12 @@ class WriteBack {
   }
 
   void find_speakers() {
+    if (!copy_.mesh.wedges.exist()) return std::iota(speaker_.begin(), speaker_.end(), 0);
     std::vector<int> carriers;
     for (int v = 0; v < connectivity().vertex_slots(); ++v) {
       carriers.clear();
-      for (int f : connectivity().faces_of(v)) {
+      for (int f : connectivity().faces_of(v))
         carriers.push_back(carrier(f, connectivity().corner(f, v)));
-        if (!copy_.mesh.wedges.exist()) break;  // all corners are of the same
-      }
       std::sort(carriers.begin(), carriers.end());
       for (int wedge : carriers)
         speaker_[wedge] = *std::find_if(carriers.begin(), carriers.end(),
@@ -100,7 +100,7 @@ class WriteBack {
       for (int f : connectivity().faces_of(v)) {
         const int wedge = carrier(f, connectivity().corner(f, v));
         if (speaker_[wedge] == wedge && !seen[wedge]) use(wedge, v);
-        if (!copy_.mesh.wedges.exist()) break;
+        if (!copy_.mesh.wedges.exist()) break;  // all corners are of the same
         seen[wedge] = true;
       }
   }

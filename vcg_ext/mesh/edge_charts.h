@@ -23,8 +23,10 @@ class EdgeCharts {
   /// merge: as if the edge collapsed.
   void gather(const WorkingMesh& mesh, const EdgeNeighborhood& around, const VertexMerge& merge) {
     charts_.clear(), corners_.clear(), faces_.clear();
+    inside_ = is_inside(mesh, merge.keep) && is_inside(mesh, merge.gone);
+    if (inside_) add_only_chart(mesh, merge);
     for (const std::vector<int>* faces : {&around.wings(), &around.star()})
-      for (int f : *faces) faces_.push_back({f, join(mesh, f, merge)});
+      for (int f : *faces) faces_.push_back({f, inside_ ? 0 : join(mesh, f, merge)});
     wings_ = around.wings().size();
     for (int c = 0; c < count(); ++c)
       if (!is_united(c)) charts_[c].step = step_of(mesh, merge, c);
@@ -69,6 +71,14 @@ class EdgeCharts {
   };
 
   bool is_united(int c) const { return wedge(c) == Wedges::none; }
+
+  /// Of an edge that is on no outline.
+  void add_only_chart(const WorkingMesh& mesh, const VertexMerge& merge) {
+    const auto wedge_at = [&](int v) {
+      return mesh.wedges.at(mesh.connectivity, *mesh.connectivity.faces_of(v).begin(), v);
+    };
+    charts_.push_back({wedge_at(merge.keep), wedge_at(merge.gone)});
+  }
 
   /// The chart of face f, which may be new.
   int join(const WorkingMesh& mesh, int f, const VertexMerge& merge) {
@@ -124,8 +134,7 @@ class EdgeCharts {
     Vector2& texture = charts_[c].texture;
     texture = mesh.texture[wedge(c)];
     if (step.keep != BlendStep::none) texture = blended(step, mesh.texture, texture);
-    if (is_inside(mesh, merge.keep) && is_inside(mesh, merge.gone)) return;
-    if (!gather_outline(mesh, merge, c)) return;
+    if (inside_ || !gather_outline(mesh, merge, c)) return;
     const std::optional<Vector2> place = outline_.nearest(texture);
     texture = place.value_or(texture);
     fit_texture_ = fit_texture_ && place;
@@ -158,6 +167,7 @@ class EdgeCharts {
   std::vector<ChartFace> faces_;  // the wings, then the star
   std::size_t wings_ = 0;
   TextureOutline outline_;
+  bool inside_ = false;  // the edge is on no outline
   bool fit_texture_ = true;
 };
 
