@@ -31,9 +31,7 @@ class CollapseRule {
         gives_way_(limits.topology_gives_way) {}
 
   /// An edge between two such vertices may collapse to anywhere.
-  bool is_free(int v) const {
-    return mesh_.kind[v] == VertexKind::Interior && !mesh_.locked[v] && !is_on_seam(mesh_, v);
-  }
+  bool is_free(int v) const { return is_inside_chart(mesh_, v) && !mesh_.locked[v]; }
 
   /// Where the topology gives way, sheets that meet in an end may come apart first.
   std::optional<Allowed> operator()(Edge edge) const {

@@ -50,9 +50,7 @@ class WedgeReader {
 
   template <class FaceType>
   WedgeCoordinate coordinate(const FaceType& face, int i) const {
-    if (!has_texture_) return {};
-    const auto& texture = face.cWT(i);
-    return {double(texture.u()), double(texture.v()), texture.n()};
+    return has_texture_ ? wedges_of(face)[i] : WedgeCoordinate();
   }
 
   /// The wedge of v that carries what the corner does; a new one if there is none.

@@ -23,7 +23,7 @@ class EdgeCharts {
   /// merge: as if the edge collapsed.
   void gather(const WorkingMesh& mesh, const EdgeNeighborhood& around, const VertexMerge& merge) {
     charts_.clear(), corners_.clear(), faces_.clear();
-    inside_ = is_inside(mesh, merge.keep) && is_inside(mesh, merge.gone);
+    inside_ = is_inside_chart(mesh, merge.keep) && is_inside_chart(mesh, merge.gone);
     if (inside_) add_only_chart(mesh, merge);
     for (const std::vector<int>* faces : {&around.wings(), &around.star()})
       for (int f : *faces) faces_.push_back({f, inside_ ? 0 : join(mesh, f, merge)});
@@ -72,7 +72,7 @@ class EdgeCharts {
 
   bool is_united(int c) const { return wedge(c) == Wedges::none; }
 
-  /// Of an edge that is on no outline.
+  /// The chart of an edge that is on no outline.
   void add_only_chart(const WorkingMesh& mesh, const VertexMerge& merge) {
     const auto wedge_at = [&](int v) {
       return mesh.wedges.at(mesh.connectivity, *mesh.connectivity.faces_of(v).begin(), v);
@@ -140,11 +140,6 @@ class EdgeCharts {
     fit_texture_ = fit_texture_ && place;
   }
 
-  /// On no outline of a chart.
-  static bool is_inside(const WorkingMesh& mesh, int v) {
-    return mesh.kind[v] == VertexKind::Interior && !is_on_seam(mesh, v);
-  }
-
   /// The edges of the chart's outline at the two vertices, but for the one between them. False: the
   /// chart has no area in the texture.
   bool gather_outline(const WorkingMesh& mesh, const VertexMerge& merge, int c) {
@@ -152,13 +147,9 @@ class EdgeCharts {
     for (const auto [f, chart] : faces_)
       if (chart == c) area += texture_area(mesh.texture_triangle(f));
     outline_.clear(area > 0.0 ? 1.0 : -1.0);
+    const auto is_at_one_end = [&](int a, int b) { return merge.has(a) != merge.has(b); };
     for (const auto [f, chart] : faces_)
-      for (int i = 0; i < 3 && chart == c; ++i) {
-        const int a = mesh.connectivity.face(f)[i], b = mesh.connectivity.face(f)[(i + 1) % 3];
-        if (merge.has(a) == merge.has(b) || !is_outline(mesh, f, a, b)) continue;
-        const TextureTriangle triangle = mesh.texture_triangle(f);
-        outline_.add(triangle[i], triangle[(i + 1) % 3]);
-      }
+      if (chart == c) add_outline_edges(mesh, f, is_at_one_end, outline_);
     return area != 0.0;
   }
 

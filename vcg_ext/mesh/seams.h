@@ -16,6 +16,11 @@ inline bool is_on_seam(const WorkingMesh& mesh, int v) {
   return !mesh.on_seam.empty() && mesh.on_seam[v] != 0;
 }
 
+/// Whether v is on no outline of a chart: neither on a border nor on a seam.
+inline bool is_inside_chart(const WorkingMesh& mesh, int v) {
+  return mesh.kind[v] == VertexKind::Interior && !is_on_seam(mesh, v);
+}
+
 /// Whether the edge ab of face f is a seam, by its wedges.
 inline bool has_seam(const WorkingMesh& mesh, int f, int a, int b) {
   const int across = mesh.connectivity.face_across(f, a, b);

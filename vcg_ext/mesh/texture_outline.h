@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "vcg_ext/geometry/texture_triangle.h"
+#include "vcg_ext/mesh/seams.h"
 
 namespace curvdecim::detail {
 
@@ -63,5 +64,16 @@ class TextureOutline {
   double sign_ = 1.0;
   std::vector<Line> lines_;
 };
+
+/// Adds the edges of face f that are on the outline of its chart and wanted(a, b).
+template <class Wanted>
+void add_outline_edges(const WorkingMesh& mesh, int f, Wanted wanted, TextureOutline& outline) {
+  const TextureTriangle triangle = mesh.texture_triangle(f);
+  for (int i = 0; i < 3; ++i) {
+    const int next = (i + 1) % 3;
+    const int a = mesh.connectivity.face(f)[i], b = mesh.connectivity.face(f)[next];
+    if (wanted(a, b) && is_outline(mesh, f, a, b)) outline.add(triangle[i], triangle[next]);
+  }
+}
 
 }  // namespace curvdecim::detail

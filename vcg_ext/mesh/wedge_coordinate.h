@@ -9,8 +9,6 @@ namespace curvdecim::detail {
 struct WedgeCoordinate {
   double u = 0.0, v = 0.0;
   int page = 0;  // texture image
-
-  bool operator==(const WedgeCoordinate& o) const { return u == o.u && v == o.v && page == o.page; }
 };
 
 using FaceWedges = std::array<WedgeCoordinate, 3>;

@@ -72,9 +72,7 @@ class ConstraintQuadrics {
 
  private:
   /// Sure to have no such edge.
-  bool is_smooth(int v) const {
-    return mesh_.kind[v] == VertexKind::Interior && !is_on_seam(mesh_, v) && sharp_.none_at(v);
-  }
+  bool is_smooth(int v) const { return is_inside_chart(mesh_, v) && sharp_.none_at(v); }
 
   std::uint8_t held_edges(int f, const std::vector<std::uint8_t>& smooth) const {
     const Face& face = mesh_.connectivity.face(f);

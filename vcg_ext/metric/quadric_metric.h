@@ -238,14 +238,12 @@ class QuadricMetric {
   }
 
   Symmetric3 boundary(int v) const {
-    if (mesh_.kind[v] == VertexKind::Interior && !is_on_seam(mesh_, v)) return {};
+    if (is_inside_chart(mesh_, v)) return {};
     return edge_planes_at(mesh_, plan_, v);
   }
 
   /// Around it a collapse changes no boundary and no seam, and no face falls onto another.
-  bool is_inside(int v) const {
-    return plan_.keeps_topology && mesh_.kind[v] == VertexKind::Interior && !is_on_seam(mesh_, v);
-  }
+  bool is_inside(int v) const { return plan_.keeps_topology && is_inside_chart(mesh_, v); }
 
   void forget_current(const EdgeNeighborhood& around) {
     for (const std::vector<int>* faces : {&around.wings(), &around.star()})

@@ -37,7 +37,7 @@ class WedgeMoves {
   }
 
  private:
-  /// Of each wedge at v.
+  /// The steps of the wedges at v.
   std::vector<BlendStep> steps_to(int v, const Vector3& x) const {
     std::vector<BlendStep> steps;
     for (int f : mesh_.connectivity.faces_of(v)) {
@@ -85,15 +85,9 @@ class WedgeMoves {
   /// texture.
   void gather_outline(int v, int wedge, double area) {
     outline_.clear(area > 0.0 ? 1.0 : -1.0);
-    if (mesh_.kind[v] == VertexKind::Interior && !is_on_seam(mesh_, v)) return;
-    for_faces(v, wedge, [&](int f) {
-      const TextureTriangle triangle = mesh_.texture_triangle(f);
-      for (int i = 0; i < 3 && area != 0.0; ++i) {
-        const int a = mesh_.connectivity.face(f)[i], b = mesh_.connectivity.face(f)[(i + 1) % 3];
-        if ((a == v || b == v) && is_outline(mesh_, f, a, b))
-          outline_.add(triangle[i], triangle[(i + 1) % 3]);
-      }
-    });
+    if (is_inside_chart(mesh_, v) || area == 0.0) return;
+    const auto is_at_v = [&](int a, int b) { return a == v || b == v; };
+    for_faces(v, wedge, [&](int f) { add_outline_edges(mesh_, f, is_at_v, outline_); });
   }
 
   WorkingMesh& mesh_;
