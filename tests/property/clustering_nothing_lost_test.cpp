@@ -146,24 +146,6 @@ TEST_P(ClusteringAttributes, ThatAreNotFiniteDoNotSpread) {
 INSTANTIATE_TEST_SUITE_P(All, ClusteringAttributes, testing::ValuesIn(all_representatives()),
                          representative_name);
 
-TEST(ClusteringCustomAttributes, StayWithTheirVerticesAndFacesAndItIsSaid) {
-  RichMesh mesh;
-  fill_with_attributes(mesh, unit_ball(3));
-  auto at = vcg::tri::Allocator<RichMesh>::AddPerVertexAttribute<vcg::Point3d>(mesh, "where");
-  auto number = vcg::tri::Allocator<RichMesh>::AddPerFaceAttribute<double>(mesh, "number");
-  for (RichVertex& v : mesh.vert) at[v] = v.cP();
-  for (RichFace& f : mesh.face) number[f] = f.cQ();
-  ClusteringParams params = with_cells(0.2);
-  params.representative = Representative::Median;
-  const ClusteringReport report = cluster(mesh, params);
-  for (const RichVertex& v : mesh.vert) EXPECT_EQ(at[v], v.cP());
-  for (const RichFace& f : mesh.face) EXPECT_EQ(number[f], f.cQ());
-  ASSERT_FALSE(report.notes.empty());
-  EXPECT_NE(report.notes[0].find("Custom"), std::string::npos);
-  vcg::tri::Allocator<RichMesh>::DeletePerVertexAttribute(mesh, "where");
-  vcg::tri::Allocator<RichMesh>::DeletePerFaceAttribute(mesh, "number");
-}
-
 TEST(ClusteringElements, DeletedOnesDoNotCount) {
   RichMesh mesh, clean;
   fill(clean, unit_ball(3));

@@ -234,24 +234,6 @@ TEST(BoundingBox, FitsTheMeshAfterwards) {
   expect_box_that_fits(mesh);
 }
 
-TEST(CustomAttributes, StayWithTheirVerticesAndFaces) {
-  RichMesh mesh;
-  fill_with_attributes(mesh, unit_ball(3));
-  auto at = vcg::tri::Allocator<RichMesh>::AddPerVertexAttribute<vcg::Point3d>(mesh, "where");
-  auto number = vcg::tri::Allocator<RichMesh>::AddPerFaceAttribute<double>(mesh, "number");
-  for (RichVertex& v : mesh.vert) at[v] = v.cP();
-  for (RichFace& f : mesh.face) number[f] = f.cQ();
-  EdgeCollapseParams params = to_faces(200);
-  params.preset = Preset::Custom;
-  params.placement = Placement::HalfEdge;
-  decimate(mesh, params);
-  for (const RichVertex& v : mesh.vert) EXPECT_EQ(at[v], v.cP());
-  for (const RichFace& f : mesh.face) EXPECT_EQ(number[f], f.cQ());
-  vcg::tri::Allocator<RichMesh>::DeletePerVertexAttribute(
-      mesh, "where");  // a mesh does not free them itself
-  vcg::tri::Allocator<RichMesh>::DeletePerFaceAttribute(mesh, "number");
-}
-
 TEST(AttributesThatAreNotFinite, DoNotSpread) {
   RichMesh mesh;
   fill_with_attributes(mesh, unit_ball(3));

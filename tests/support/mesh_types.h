@@ -39,21 +39,24 @@ struct RichTypes
 class RichVertex
     : public vcg::Vertex<RichTypes, vcg::vertex::Coord3d, vcg::vertex::Normal3d,
                          vcg::vertex::Qualityd, vcg::vertex::Color4b, vcg::vertex::TexCoord2d,
-                         vcg::vertex::Radiusf, vcg::vertex::VFAdj, vcg::vertex::BitFlags> {};
+                         vcg::vertex::Radiusf, vcg::vertex::CurvatureDird, vcg::vertex::VFAdj,
+                         vcg::vertex::BitFlags> {};
 class RichFace
     : public vcg::Face<RichTypes, vcg::face::VertexRef, vcg::face::Normal3d, vcg::face::Qualityd,
                        vcg::face::Color4b, vcg::face::WedgeTexCoord2d, vcg::face::VFAdj,
                        vcg::face::FFAdj, vcg::face::BitFlags> {};
 class RichMesh : public vcg::tri::TriMesh<std::vector<RichVertex>, std::vector<RichFace>> {};
 
-/// Attributes are left at the mesh type's own defaults; texture coordinates, which have none, are
-/// 0.
+/// Attributes are left at the mesh type's own defaults; curvatures and texture coordinates, which
+/// have none, are 0.
 template <class MeshType>
 void fill(MeshType& mesh, const Shape& shape) {
   using Scalar = typename MeshType::ScalarType;
   vcg::tri::Allocator<MeshType>::AddVertices(mesh, shape.vertices.size());
   for (std::size_t v = 0; v < shape.vertices.size(); ++v)
     for (int k = 0; k < 3; ++k) mesh.vert[v].P()[k] = static_cast<Scalar>(shape.vertices[v][k]);
+  if (vcg::tri::HasPerVertexCurvatureDir(mesh))
+    for (auto& v : mesh.vert) v.PD1().SetZero(), v.PD2().SetZero(), v.K1() = v.K2() = 0;
   vcg::tri::Allocator<MeshType>::AddFaces(mesh, shape.faces.size());
   for (std::size_t f = 0; f < shape.faces.size(); ++f)
     for (int i = 0; i < 3; ++i) {

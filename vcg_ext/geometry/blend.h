@@ -32,4 +32,28 @@ class Blend {
   double weights_ = 0.0;
 };
 
+/// What no mean is of: the name of a thing, a mark, a number that counts something.
+template <class T>
+struct Label {
+  T value{};
+  bool operator==(const Label& o) const { return value == o.value; }
+};
+
+/// The label of the largest weight, the first of several.
+template <class T>
+class Blend<Label<T>> {
+ public:
+  explicit Blend(const Label<T>& otherwise) : heaviest_(otherwise) {}
+
+  void add(double weight, const Label<T>& value) {
+    if (weight > weight_) weight_ = weight, heaviest_ = value;
+  }
+
+  Label<T> mean() const { return heaviest_; }
+
+ private:
+  Label<T> heaviest_;
+  double weight_ = 0.0;
+};
+
 }  // namespace curvdecim::detail

@@ -4,67 +4,150 @@
 #include <vcg/complex/complex.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "vcg_ext/errors.h"
 #include "vcg_ext/geometry/vector3.h"
+#include "vcg_ext/host_mesh/custom_attributes.h"
 #include "vcg_ext/mesh/triangle_connectivity.h"
 #include "vcg_ext/mesh/wedge_coordinate.h"
 
 namespace curvdecim::detail {
 
-/// How the attributes of a vcg mesh's vertices are read as vectors over double, to be blended, and
-/// written back.
+/// Bits of a vertex that say something about the mesh: that it is selected, and a user's.
+template <class Vertex>
+int lasting_bits() {
+  return Vertex::SELECTED | ~(Vertex::USER0 - 1);
+}
+
+template <class Vertex>
+Eigen::Vector2d curvatures_of(const Vertex& vertex) {
+  return {double(vertex.cK1()), double(vertex.cK2())};
+}
+
+template <class Vertex>
+auto curvature_directions_of(const Vertex& vertex) {
+  return std::array{vertex.cPD1(), vertex.cPD2()};
+}
+
+/// How what the vertices of a vcg mesh carry is read as values that can be blended, and written
+/// back. MeshType may be const where nothing is written.
 template <class MeshType>
 class VertexAttributes {
  public:
-  using Vertex = typename MeshType::VertexType;
+  explicit VertexAttributes(MeshType& mesh) : mesh_(mesh) {}
 
-  /// use(read, write) for each attribute that the mesh has: read(vertex) gives a value of a vector
-  /// space, write(vertex, value) puts it back.
+  /// use(read, write) for each attribute that the mesh has: read(v) gives the value of vertex v,
+  /// write(v, value) puts one back.
   template <class Use>
-  static void for_each(const MeshType& mesh, Use use) {
-    if (vcg::tri::HasPerVertexQuality(mesh)) use(read_quality, write_quality);
-    if (vcg::tri::HasPerVertexRadius(mesh)) use(read_radius, write_radius);
-    if (vcg::tri::HasPerVertexColor(mesh)) use(read_color, write_color);
-    if (vcg::tri::HasPerVertexNormal(mesh)) use(read_normal, write_normal);
-    if (vcg::tri::HasPerVertexTexCoord(mesh)) use(read_texture, write_texture);
+  void for_each(Use use) const {
+    if (vcg::tri::HasPerVertexNormal(mesh_)) with_normal(use);
+    for_each_but_normal(use);
+  }
+
+  template <class Use>
+  void for_each_but_normal(Use use) const {
+    if (vcg::tri::HasPerVertexQuality(mesh_)) with_quality(use);
+    if (vcg::tri::HasPerVertexRadius(mesh_)) with_radius(use);
+    if (vcg::tri::HasPerVertexColor(mesh_)) with_color(use);
+    if (vcg::tri::HasPerVertexTexCoord(mesh_)) with_texture(use);
+    if (vcg::tri::HasPerVertexCurvatureDir(mesh_)) with_curvature(use);
+    with_flags(use);
+    for_each_custom(mesh_.vert_attr, use);
   }
 
  private:
-  static constexpr auto read_quality = [](const Vertex& v) { return static_cast<double>(v.cQ()); };
-  static constexpr auto write_quality = [](Vertex& v, double q) {
-    v.Q() = static_cast<decltype(v.cQ() + 0)>(q);
-  };
+  // Values to be written are `auto`, so that a const mesh will do where none is.
 
-  static constexpr auto read_radius = [](const Vertex& v) { return static_cast<double>(v.cR()); };
-  static constexpr auto write_radius = [](Vertex& v, double r) {
-    v.R() = static_cast<decltype(v.cR() + 0)>(r);
-  };
+  template <class Use>
+  void with_quality(Use& use) const {
+    use([this](int v) { return static_cast<double>(mesh_.vert[v].cQ()); },
+        [this](int v, const auto& q) { assign_number(mesh_.vert[v].Q(), q); });
+  }
 
-  static constexpr auto read_color = [](const Vertex& v) {
-    return Eigen::Vector4d(v.cC()[0], v.cC()[1], v.cC()[2], v.cC()[3]);
-  };
-  static constexpr auto write_color = [](Vertex& v, const Eigen::Vector4d& c) {
-    for (int k = 0; k < 4; ++k)
-      v.C()[k] = static_cast<unsigned char>(std::lround(std::clamp(c[k], 0.0, 255.0)));
-  };
+  template <class Use>
+  void with_radius(Use& use) const {
+    use([this](int v) { return static_cast<double>(mesh_.vert[v].cR()); },
+        [this](int v, const auto& r) { assign_number(mesh_.vert[v].R(), r); });
+  }
 
-  static constexpr auto read_normal = [](const Vertex& v) { return vector_of(v.cN()); };
-  static constexpr auto write_normal = [](Vertex& v, const Vector3& n) {
-    const double length = n.norm();
-    if (length > 0.0) assign(v.N(), n / length);
-  };
+  template <class Use>
+  void with_color(Use& use) const {
+    use(
+        [this](int v) {
+          const auto& c = mesh_.vert[v].cC();
+          return Eigen::Vector4d(c[0], c[1], c[2], c[3]);
+        },
+        [this](int v, const auto& c) {
+          for (int k = 0; k < 4; ++k)
+            mesh_.vert[v].C()[k] =
+                static_cast<unsigned char>(std::lround(std::clamp(c[k], 0.0, 255.0)));
+        });
+  }
 
-  static constexpr auto read_texture = [](const Vertex& v) {
-    return Eigen::Vector2d(v.cT().u(), v.cT().v());
-  };
-  static constexpr auto write_texture = [](Vertex& v, const Eigen::Vector2d& t) {
-    using Coordinate = decltype(v.cT().u() + 0);
-    v.T().u() = static_cast<Coordinate>(t.x()), v.T().v() = static_cast<Coordinate>(t.y());
-  };
+  template <class Use>
+  void with_normal(Use& use) const {
+    use([this](int v) { return vector_of(mesh_.vert[v].cN()); },
+        [this](int v, const auto& n) {
+          const double length = n.norm();
+          if (length > 0.0) assign(mesh_.vert[v].N(), n / length);
+        });
+  }
+
+  template <class Use>
+  void with_texture(Use& use) const {
+    use(
+        [this](int v) {
+          const auto& t = mesh_.vert[v].cT();
+          return Eigen::Vector2d(t.u(), t.v());
+        },
+        [this](int v, const auto& t) {
+          assign_number(mesh_.vert[v].T().u(), t.x()), assign_number(mesh_.vert[v].T().v(), t.y());
+        });
+    use([this](int v) { return Label<int>{mesh_.vert[v].cT().n()}; },
+        [this](int v, const auto& page) { mesh_.vert[v].T().n() = page.value; });
+  }
+
+  /// A direction and its opposite are the same one, so that there is no mean of two.
+  template <class Use>
+  void with_curvature(Use& use) const {
+    use([this](int v) { return curvatures_of(mesh_.vert[v]); },
+        [this](int v, const auto& k) { set_curvatures(mesh_.vert[v], k); });
+    using Directions = decltype(curvature_directions_of(mesh_.vert[0]));
+    use([this](int v) { return Label<Directions>{curvature_directions_of(mesh_.vert[v])}; },
+        [this](int v, const auto& d) { set_curvature_directions(mesh_.vert[v], d.value); });
+  }
+
+  template <class Use>
+  void with_flags(Use& use) const {
+    const int lasting = lasting_bits<typename MeshType::VertexType>();
+    use([this, lasting](int v) { return Label<int>{mesh_.vert[v].cFlags() & lasting}; },
+        [this, lasting](int v, const auto& bits) {
+          int& flags = mesh_.vert[v].Flags();
+          flags = (flags & ~lasting) | bits.value;
+        });
+  }
+
+  template <class Vertex>
+  static void set_curvatures(Vertex& vertex, const Eigen::Vector2d& k) {
+    assign_number(vertex.K1(), k.x()), assign_number(vertex.K2(), k.y());
+  }
+
+  template <class Vertex, class Directions>
+  static void set_curvature_directions(Vertex& vertex, const Directions& directions) {
+    vertex.PD1() = directions[0], vertex.PD2() = directions[1];
+  }
+
+  template <class Number>
+  static void assign_number(Number& number, double value) {
+    number = static_cast<Number>(value);
+  }
+
+  MeshType& mesh_;
 };
 
 /// The wedge texture coordinates of a vcg face.

@@ -11,8 +11,8 @@
 
 namespace curvdecim::detail {
 
-/// Gives a face these vertices. One that does not change keeps its normal and its marks of edges
-/// inside polygons, which mean nothing once the polygon is cut. moved: whether a vertex is.
+/// Gives a face these vertices. One that does not change keeps its normal. moved: whether a vertex
+/// is.
 template <class MeshType>
 void connect_face(MeshType& mesh, int f,
                   const std::array<typename MeshType::VertexType*, 3>& vertices, bool moved,
@@ -23,8 +23,15 @@ void connect_face(MeshType& mesh, int f,
     face.V(i) = vertices[i];
   }
   if (!moved) return;
-  face.ClearAllF();
   if (vcg::tri::HasPerFaceNormal(mesh)) assign(face.N(), normal);
+}
+
+/// Marks of edges inside polygons (faux edges) mean nothing once a polygon is cut: what could
+/// change has none afterwards, so that it is of triangles.
+template <class MeshType>
+void drop_polygons(MeshType& mesh, bool selected_only) {
+  for (auto& face : mesh.face)
+    if (!face.IsD() && (!selected_only || face.IsS())) face.ClearAllF();
 }
 
 /// Compaction follows these pointers; after a change of the faces they lead nowhere.

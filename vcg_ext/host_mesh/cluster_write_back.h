@@ -53,6 +53,7 @@ class ClusterWriteBack {
     connect_faces(carried.wedges);
     move_vertices();
     delete_vertices();
+    drop_polygons(mesh_, !flat_.staying.empty());
     compact_mesh(mesh_);
   }
 
@@ -86,15 +87,14 @@ class ClusterWriteBack {
 
   /// All values are read before the first is written.
   void blend_attributes(const CellBlend& blend) {
-    VertexAttributes<MeshType>::for_each(mesh_, [&](auto read, auto write) {
-      using Attribute = std::decay_t<decltype(read(mesh_.vert[0]))>;
-      const auto value = [&](int v) { return read(mesh_.vert[v]); };
+    VertexAttributes(mesh_).for_each([&](auto read, auto write) {
+      using Attribute = std::decay_t<decltype(read(0))>;
       std::vector<Attribute> values(clusters_.cells());
       for (int c = 0; c < clusters_.cells(); ++c)
-        if (in_use_[c])
-          values[c] = blend.at<Attribute>(c, value, value(representatives_.vertex[c]));
+        if (in_use_[c]) values[c] = blend.at<Attribute>(c, read, read(representatives_.vertex[c]));
       for (int c = 0; c < clusters_.cells(); ++c)
-        if (in_use_[c] && !Clusters::is_fixed(clusters_.keys[c])) write(vertex(c), values[c]);
+        if (in_use_[c] && !Clusters::is_fixed(clusters_.keys[c]))
+          write(representatives_.vertex[c], values[c]);
     });
   }
 

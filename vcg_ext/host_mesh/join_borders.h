@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "vcg_ext/host_mesh/attributes.h"
 #include "vcg_ext/host_mesh/working_copy.h"
 #include "vcg_ext/mesh/border_seams.h"
 
@@ -29,8 +30,8 @@ bool carry_the_same(const MeshType& mesh, int v, int w) {
          (!vcg::tri::HasPerVertexRadius(mesh) || a.cR() == b.cR()) &&
          (!vcg::tri::HasPerVertexTexCoord(mesh) || a.cT() == b.cT()) &&
          (!vcg::tri::HasPerVertexCurvatureDir(mesh) ||
-          (a.cPD1() == b.cPD1() && a.cPD2() == b.cPD2() && a.cK1() == b.cK1() &&
-           a.cK2() == b.cK2())) &&
+          (curvatures_of(a) == curvatures_of(b) &&
+           curvature_directions_of(a) == curvature_directions_of(b))) &&
          have_the_same_custom_values(mesh, v, w);
 }
 

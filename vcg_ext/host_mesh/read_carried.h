@@ -4,6 +4,7 @@
 #include <vcg/complex/complex.h>
 
 #include <algorithm>
+#include <string>
 #include <vector>
 
 #include "vcg_ext/attributes/carried.h"
@@ -19,15 +20,13 @@ namespace curvdecim::detail {
 template <class MeshType>
 bool has_varying_attributes(const MeshType& mesh, const std::vector<int>& vertices,
                             const Parallel& parallel) {
-  const auto& first = mesh.vert[vertices[0]];
-  const auto differs = [&](int i) {
-    const auto& v = mesh.vert[vertices[i]];
-    return (vcg::tri::HasPerVertexColor(mesh) && v.cC() != first.cC()) ||
-           (vcg::tri::HasPerVertexQuality(mesh) && v.cQ() != first.cQ()) ||
-           (vcg::tri::HasPerVertexRadius(mesh) && v.cR() != first.cR()) ||
-           (vcg::tri::HasPerVertexTexCoord(mesh) && !(v.cT() == first.cT()));
-  };
-  return any_where(static_cast<int>(vertices.size()), parallel, differs);
+  bool varies = false;
+  VertexAttributes(mesh).for_each_but_normal([&](auto read, auto) {
+    const auto first = read(vertices[0]);
+    varies = varies || any_where(static_cast<int>(vertices.size()), parallel,
+                                 [&](int i) { return !(read(vertices[i]) == first); });
+  });
+  return varies;
 }
 
 template <class MeshType>
@@ -35,7 +34,7 @@ void note_faux_edges(const MeshType& mesh, const Parallel& parallel, DecimationR
   const auto is_marked = [&](int f) { return !mesh.face[f].IsD() && mesh.face[f].IsAnyF(); };
   if (any_where(static_cast<int>(mesh.face.size()), parallel, is_marked))
     report.notes.push_back(
-        "Marks of edges inside polygons (faux edges) are dropped where faces change.");
+        "Marks of edges inside polygons (faux edges) are dropped: the result is of triangles.");
 }
 
 /// Names what is not carried in full, apart from seams.
@@ -43,9 +42,9 @@ template <class MeshType>
 void note_dropped_attributes(const MeshType& mesh, const Parallel& parallel,
                              DecimationReport& report) {
   note_faux_edges(mesh, parallel, report);
-  if (!mesh.vert_attr.empty())
-    report.notes.push_back(
-        "Custom vertex attributes stay with the vertices that remain; they are not interpolated.");
+  if (const std::string names = names_of_unknown(mesh.vert_attr); !names.empty())
+    report.notes.push_back("Custom vertex attributes of other types than numbers and points (" +
+                           names + ") stay with the vertices that remain.");
 }
 
 /// Weighs the vertices of the copy by the quality of the host's, if that was asked for.

@@ -25,6 +25,7 @@ struct WorkingCopy {
       unusable;  // the host's faces left out, to be removed: an index twice, or a double
   std::vector<int> left_alone;         // the host's faces left out that stay
   std::vector<std::uint8_t> selected;  // by working face at the start: 1 if it is
+  bool selected_only = false;          // others are locked
   int vertices_read = 0;               // of the host's mesh
   int borders_joined = 0;              // pairs of edges that lay on each other
   UnitBox box;
@@ -75,6 +76,7 @@ template <class MeshType>
 void lock_unselected(const MeshType& mesh, WorkingCopy& copy) {
   if (std::none_of(copy.selected.begin(), copy.selected.end(), [](bool s) { return s; }))
     refuse_empty_selection();
+  copy.selected_only = true;
   std::vector<bool> locked(mesh.vert.size(), false);
   for (const auto& face : mesh.face)
     if (!face.IsD() && !face.IsS())

@@ -41,12 +41,12 @@ class WriteBack {
     add_faces();
     place_vertices();
     blend_attributes();
-    for (const auto [to, from] : carried_.new_faces.copies())
-      mesh_.face[to].ImportData(mesh_.face[from]);
+    fill_new_faces();
     if (!copy_.mesh.texture.empty()) write_texture();
     move_vertices();
     connect_faces();
     delete_vertices();
+    drop_polygons(mesh_, copy_.selected_only);
     compact_mesh(mesh_);
   }
 
@@ -131,9 +131,15 @@ class WriteBack {
     vcg::tri::Allocator<MeshType>::AddVertices(mesh_, vertices.size());
     for (int v : vertices) {
       mesh_.vert[place].ImportData(mesh_.vert[v]);
-      for (const auto& attribute : mesh_.vert_attr)
-        attribute._handle->CopyValue(place, v, attribute._handle);
+      copy_custom(mesh_.vert_attr, place, v);
       ++place;
+    }
+  }
+
+  void fill_new_faces() {
+    for (const auto [to, from] : carried_.new_faces.copies()) {
+      mesh_.face[to].ImportData(mesh_.face[from]);
+      copy_custom(mesh_.face_attr, to, from);
     }
   }
 
@@ -191,12 +197,12 @@ class WriteBack {
 
   // --- attributes: double while they are blended, so that rounding does not add up ---------------
 
-  /// read(vertex) -> Value, write(vertex, Value).
+  /// read(v) -> Value, write(v, Value).
   template <class Value, class Read, class Write>
   void blend(Read read, Write write) {
     const int count = static_cast<int>(hosts().size());
     std::vector<Value> values(count);
-    parallel_.for_each(count, [&](int c) { values[c] = read(mesh_.vert[hosts()[c]]); });
+    parallel_.for_each(count, [&](int c) { values[c] = read(hosts()[c]); });
     const std::vector<Value> input = carried_.resampled.empty() ? std::vector<Value>() : values;
     std::vector<std::uint8_t> changed(count, 0);
     carried_.blended.for_each(parallel_, [&](const BlendStep& step) {
@@ -208,14 +214,13 @@ class WriteBack {
       take(step, input, values);
     }
     parallel_.for_each(count, [&](int c) {
-      if (changed[c] && place_of_[c] != none) write(mesh_.vert[place_of_[c]], values[c]);
+      if (changed[c] && place_of_[c] != none) write(place_of_[c], values[c]);
     });
   }
 
   void blend_attributes() {
-    VertexAttributes<MeshType>::for_each(mesh_, [&](auto read, auto write) {
-      blend<std::decay_t<decltype(read(mesh_.vert[0]))>>(read, write);
-    });
+    VertexAttributes(mesh_).for_each(
+        [&](auto read, auto write) { blend<std::decay_t<decltype(read(0))>>(read, write); });
   }
 
   MeshType& mesh_;
