@@ -253,7 +253,10 @@ def test_the_command_goes_on_after_a_mesh_that_cannot_be_read(tmp_path: Path) ->
     command = [sys.executable, every_mesh.__file__, tmp_path / "broken.ply", shipped("cube.obj")]
     command += ["--plugin", tmp_path / "no_plugin.so", "--levels", "50", "--samples", "1000"]
     done = subprocess.run(
-        [*command, "--json", tmp_path / "out.json"], capture_output=True, text=True, check=False
+        [*command, "--json", tmp_path / "out.json"],
+        capture_output=True,
+        encoding="utf-8",  # reading some formats, MeshLab sets the locale of this process to "C"
+        check=False,
     )
     assert done.returncode == 1, done.stderr
     saved = json.loads((tmp_path / "out.json").read_text(encoding="utf-8"))

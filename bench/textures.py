@@ -77,7 +77,7 @@ def compare(mesh: Path, fractions: Sequence[float], chosen: Sequence[Decimator])
     """Each of the decimators on the mesh, to each of the fractions of its faces."""
     with tempfile.TemporaryDirectory() as folder:
         original, result = Path(folder) / "original.ply", Path(folder) / "simplified.ply"
-        _save_with_wedges(mesh, original)
+        save_with_wedges(mesh, original)
         surface = read_textured(original).surface
         texture = TextureJudge(read_textured(original))
         shape = Judge(surface.vertices, surface.faces)
@@ -101,7 +101,7 @@ def main() -> None:
     console().print(shown)
 
 
-def _save_with_wedges(mesh: Path, copy: Path) -> None:
+def save_with_wedges(mesh: Path, copy: Path) -> None:
     """Copies the mesh with texture coordinates by wedge: what MeshLab's filter asks for."""
     meshes = pymeshlab.MeshSet(verbose=False)
     meshes.load_new_mesh(str(mesh))
