@@ -74,6 +74,7 @@ _QUADRICS = ("Memoryless", "Accumulated")
 _WEIGHTS = ("Area", "Unit")
 _PLACEMENTS = ("Optimal", "Line", "EndpointOrMidpoint", "HalfEdge")
 _SCHEDULERS = ("Rounds", "Lazy", "Eager", "FewRounds")
+_BORDERS_OF = ("Nothing", "FaceColor", "FaceQuality", "FaceAttributes")
 _REPRESENTATIVES = ("Quadric", "Mean", "WeightedMean", "Median", "CellCenter")
 
 _edges = partial(_cases, EDGES, targetperc=0.2)
@@ -103,6 +104,8 @@ def _stepwise(asked: partial) -> Iterator[Case]:
     yield from asked(preservenormal=False, targetperc=(0.2, 0.05))
     yield from asked(normalangle=30.0)
     yield from asked(featureangle=(5.0, 180.0))
+    yield from asked(keepmap=True)
+    yield from asked(keepbordersof=_BORDERS_OF)
     yield from asked(normalangle=0.0)  # refused
     yield from asked(selected=True)  # refused: no face is selected
 
@@ -150,6 +153,7 @@ CASES = (
     *_clusters(representative=_REPRESENTATIVES),
     *_clusters(representative=_REPRESENTATIVES, targetperc=0.2),
     *_clusters(representative="WeightedMean", meanweight=("Area", "Curvature")),
+    *_clusters(keepmap=True),
     *_clusters(PAINTED, representative="WeightedMean", meanweight=("Area", "Curvature", "Quality")),
     *_clusters(cellsize=(_percent(0.0), _percent(3.0))),  # 0: refused
     *_clusters(targetfacenum=300, manifoldedges=_SWITCH),

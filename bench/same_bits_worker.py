@@ -72,6 +72,7 @@ def _copy(meshes: pymeshlab.MeshSet, mesh: int) -> None:
 
 def _result(meshes: pymeshlab.MeshSet, mesh: int, case: dict) -> dict:
     print(json.dumps(case), file=sys.stderr, flush=True)
+    known = {each.id() for each in meshes}
     _copy(meshes, mesh)
     report, error = {}, ""
     try:
@@ -79,8 +80,15 @@ def _result(meshes: pymeshlab.MeshSet, mesh: int, case: dict) -> dict:
     except _REFUSALS as refusal:
         error = str(refusal)
     result = {"arrays": _arrays(meshes), "report": _spelled(report), "error": error}
-    meshes.delete_current_mesh()
+    _delete_others(meshes, known)
     return result
+
+
+def _delete_others(meshes: pymeshlab.MeshSet, known: set[int]) -> None:
+    """The copy, and what a filter has added to it."""
+    for made in [each.id() for each in meshes if each.id() not in known]:
+        meshes.set_current_mesh(made)
+        meshes.delete_current_mesh()
 
 
 def _spelled(report: dict) -> dict[str, str]:

@@ -108,7 +108,7 @@ function(curvdecim_add_plugin target)
   endif()
 
   set(folder ${PROJECT_SOURCE_DIR}/filter_curvdecim/host)
-  add_library(${target} MODULE ${folder}/actions.cpp ${folder}/rich_parameters.cpp)
+  add_library(${target} MODULE ${folder}/actions.cpp ${folder}/input_layer.cpp ${folder}/rich_parameters.cpp)
   _curvdecim_define_host(${target} ${arg_HOST} ${version})
   target_link_libraries(${target} PRIVATE curvdecim_parameter_table curvdecim_warnings meshlab-headers-${version}
                                           Qt5::Core Qt5::Gui Qt5::Widgets)

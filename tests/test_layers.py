@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 CORE = Path(__file__).resolve().parents[1] / "vcg_ext"
-PUBLIC_DATA = ("params.h", "report.h", "errors.h", "field.h")
+PUBLIC_DATA = ("params.h", "report.h", "errors.h", "field.h", "vertex_map.h")
 LAYERS = (
     "public headers",
     "decimate_by_collapse.h",

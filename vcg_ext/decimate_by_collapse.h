@@ -45,20 +45,21 @@ DecimationReport decimate_by_collapse(MeshType& mesh, const Params& params,
   return reported<DecimationReport>(counts_of(mesh), params, progress, [&](const auto& run) {
     if (const auto ahead = plan_collapse(params, facts_ahead(counts_of(mesh))))
       ahead->times.begin_preparing(run.parallel.progress());
-    WorkingCopy copy = read_mesh(mesh, plan_reading(params), run.parallel);
+    const ReadingPlan reading = plan_reading(params);
+    WorkingCopy copy = read_mesh(mesh, reading, run.parallel);
     const InputFacts facts = facts_of(mesh, copy, params.selected_only);
     const auto plan = plan_collapse(params, facts);
-    if (!plan) return note_nothing_to_do(reached_target(params, facts), run.report);
+    auto traced = traced_input(mesh, copy, params.keep_map, run.parallel);
+    if (!plan) return leave_alone(mesh, reached_target(params, facts), traced, run);
     run.parallel.progress().ask();
-    Carried carried =
-        read_carried(mesh, copy, params.quality_weight, *plan, run.parallel, run.report);
+    Carried carried = read_carried(mesh, copy, reading, *plan, run.parallel, run.report);
     std::optional<InputCopy> input = keep_input(copy.mesh, *plan, run.parallel);
     run.parallel.progress().ask();
     const Tally tally = with_metric(copy.mesh, plan->metric, [&](auto metric) {
       return collapse(copy.mesh, metric, *plan, carried, run.parallel);
     });
     refine(copy.mesh, std::move(input), *plan, carried, run.parallel);
-    write_back(mesh, copy, carried, run.parallel, run.report);
+    write_back(mesh, copy, carried, std::move(traced), run.parallel, run.report);
     conclude(tally, *plan, copy.mesh, copy.box.diagonal, run.report);
   });
 }

@@ -83,12 +83,24 @@ constexpr auto labels(Scheduler) { return std::array{"Rounds", "Lazy", "Eager", 
 enum class Preset { Fast, Balanced, Best, Custom };
 constexpr auto labels(Preset) { return std::array{"Fast", "Balanced", "Best", "Custom"}; }
 
+/// Groups of faces whose borders stay lines of the mesh.
+enum class KeepBordersOf {
+  Nothing,
+  FaceColor,       ///< faces of one colour, as of one material
+  FaceQuality,     ///< faces of one quality, as of one segment
+  FaceAttributes,  ///< faces that are the same in all custom attributes of numbers and points
+};
+constexpr auto labels(KeepBordersOf) {
+  return std::array{"Nothing", "FaceColor", "FaceQuality", "FaceAttributes"};
+}
+
 /// What every decimation has. Here and below fields() has the range and the unit of every member.
 struct CommonParams {
   double target_fraction = 0.0;  ///< part of the faces to keep; 0: not used, else it wins
   double boundary_weight = 1.0;  ///< of the boundary, and of sharp edges, against the surface
   bool selected_only = false;    ///< only selected faces change, and targets count these
   bool quality_weight = false;   ///< per-vertex quality multiplies the cost
+  bool keep_map = false;         ///< which vertices became which (vcg_ext/vertex_map.h)
   int threads = 0;               ///< 0: all cores; never changes the result
 
   static constexpr auto fields() {
@@ -96,7 +108,7 @@ struct CommonParams {
     return std::tuple(Field("target_fraction", &P::target_fraction, between(0.0, 1.0)),
                       Field("boundary_weight", &P::boundary_weight, at_least(0.0)),
                       Field("selected_only", &P::selected_only),
-                      Field("quality_weight", &P::quality_weight),
+                      Field("quality_weight", &P::quality_weight), Field("keep_map", &P::keep_map),
                       Field("threads", &P::threads, at_least(0.0, "threads")));
   }
 };
@@ -115,6 +127,7 @@ struct DecimationParams : CommonParams {
   bool join_borders = true;        ///< those that lie on each other, for the run
   double attribute_weight = 0.01;  ///< of how a texture drifts, against the error of the surface
   double feature_angle = 60.0;     ///< dihedral angle from which an edge is sharp; 180: none is
+  KeepBordersOf keep_borders_of = KeepBordersOf::Nothing;  ///< beside those of textures
 
   static constexpr auto fields() {
     using P = DecimationParams;
@@ -129,7 +142,8 @@ struct DecimationParams : CommonParams {
                    Field("preserve_topology", &P::preserve_topology),
                    Field("join_borders", &P::join_borders),
                    Field("attribute_weight", &P::attribute_weight, at_least(0.0)),
-                   Field("feature_angle", &P::feature_angle, between(0.0, 180.0, "degrees"))));
+                   Field("feature_angle", &P::feature_angle, between(0.0, 180.0, "degrees")),
+                   Field("keep_borders_of", &P::keep_borders_of)));
   }
 };
 

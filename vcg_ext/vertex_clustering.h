@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+#include <utility>
+
 #include "vcg_ext/clustering/clustering_operator.h"
 #include "vcg_ext/host_mesh/cluster_write_back.h"
 #include "vcg_ext/host_mesh/read_cells.h"
@@ -31,13 +34,15 @@ ClusteringReport decimate_vertex_clustering(MeshType& mesh, const ClusteringPara
     clustering_times.begin_preparing(run.parallel.progress());
     const FlatMesh flat = read_flat(mesh, params.selected_only, run.parallel);
     const auto plan = plan_clustering(params, flat);
-    if (!plan) return note_nothing_to_do(reached_target(params, flat), run.report);
+    std::optional<InputVertices<MeshType>> input;
+    if (params.keep_map) input.emplace(mesh, flat.box, run.parallel);
+    if (!plan) return leave_alone(mesh, reached_target(params, flat), input, run);
     const ClusteringWeights weights = read_weights(mesh, flat, params.quality_weight, *plan, run);
     clustering_times.begin_steps("Clustering vertices", run.parallel.progress());
     const Clustering clustering = ClusteringOperator(flat, *plan, weights, run.parallel).run();
     const CarriedByCells carried = read_carried(mesh, flat, clustering, *plan, weights, run);
     run.parallel.progress().ask();
-    write_back(mesh, flat, clustering, carried, run.parallel, run.report);
+    write_back(mesh, flat, clustering, carried, std::move(input), run.parallel, run.report);
     conclude(clustering, *plan, flat, run.report);
   });
 }

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "vcg_ext/host_mesh/read_carried.h"
@@ -33,13 +34,15 @@ DecimationReport decimate_vertex_removal(MeshType& mesh, const VertexRemovalPara
   return reported<DecimationReport>(counts_of(mesh), params, progress, [&](const auto& run) {
     if (const auto plan = plan_removal(params, facts_ahead(counts_of(mesh))))
       plan->times.begin_preparing(run.parallel.progress());
-    WorkingCopy copy = read_mesh(mesh, params.selected_only, run.parallel);
+    const ReadingPlan reading = plan_reading(params);
+    WorkingCopy copy = read_mesh(mesh, reading, run.parallel);
     const InputFacts facts = facts_of(mesh, copy, params.selected_only);
     const auto plan = plan_removal(params, facts);
-    if (!plan) return note_nothing_to_do(reached_target(params, facts), run.report);
-    Carried carried = read_carried(mesh, copy, params.quality_weight, run.parallel, run.report);
+    auto traced = traced_input(mesh, copy, params.keep_map, run.parallel);
+    if (!plan) return leave_alone(mesh, reached_target(params, facts), traced, run);
+    Carried carried = read_carried(mesh, copy, reading, run.parallel, run.report);
     const Tally tally = remove_vertices(copy.mesh, *plan, {}, run.parallel);
-    write_back(mesh, copy, carried, run.parallel, run.report);
+    write_back(mesh, copy, carried, std::move(traced), run.parallel, run.report);
     conclude(tally, *plan, copy.mesh, copy.box.diagonal, run.report);
   });
 }

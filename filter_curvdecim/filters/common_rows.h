@@ -135,6 +135,32 @@ ParameterRow<P> attribute_weight_row() {
        "Of its drift, against the error of the surface."});
 }
 
+template <class P>
+ParameterRow<P> keep_borders_of_row() {
+  return enum_row<P>(
+      &P::keep_borders_of, "KeepBordersOf", "Keep borders of",
+      "The borders between groups of faces stay lines of the mesh, as the seams of a texture do. "
+      "They cost faces: a mesh of many small groups keeps less of its shape.",
+      {{KeepBordersOf::Nothing, "only of textures",
+        "only of textures, whose pages and seams are always kept"},
+       {KeepBordersOf::FaceColor, "materials",
+        "faces of one colour: hosts show the colour of a material as that of its faces"},
+       {KeepBordersOf::FaceQuality, "segments", "faces of one quality"},
+       {KeepBordersOf::FaceAttributes, "labels",
+        "faces that are the same in every custom attribute of numbers or points"}});
+}
+
+template <class P>
+ParameterRow<P> keep_map_row() {
+  return row<P>(
+      &P::keep_map, "KeepMap", "Map to the original vertices",
+      {"Leaves, as the custom attribute nearest_input_vertex of each vertex, the number of the "
+       "nearest vertex of the original, and a layer of the original's vertices, whose custom "
+       "attribute result_vertex is the number of the vertex that each went into, -1 where none "
+       "is left. With these skin weights and measurements can be carried over.",
+       "As custom attributes, and a layer of the original vertices."});
+}
+
 /// What an edge collapse refuses to do, or does only where all else costs more, and what it joins
 /// before.
 template <class P>
@@ -153,7 +179,8 @@ ParameterRows<P> collapse_guard_rows() {
            "Less keeps faces closer; above 90 they may flip."})),
       preserve_topology_row<P>(),
       tuning(join_borders_row<P>()),
-      tuning(attribute_weight_row<P>())};
+      paper(attribute_weight_row<P>()),
+      tuning(keep_borders_of_row<P>())};
 }
 
 template <class P>
@@ -192,7 +219,8 @@ ParameterRow<P> threads_row() {
 /// What every edge collapse asks beside its targets and its own parameters.
 template <class P>
 ParameterRows<P> common_rows() {
-  return {selected_row<P>(), tuning(quality_weight_row<P>()), tuning(threads_row<P>())};
+  return {selected_row<P>(), tuning(quality_weight_row<P>()), paper(keep_map_row<P>()),
+          tuning(threads_row<P>())};
 }
 
 /// What an edge collapse is to keep, under a heading of its own.

@@ -50,6 +50,7 @@ struct VertexClusteringFilter {
             tuning(mean_weight_row()),
             tuning(weight_row()),
             tuning(quality_row()),
+            paper(keep_map_row<Params>()),
             tuning(threads_row<Params>())};
   }
 

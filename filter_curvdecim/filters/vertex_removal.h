@@ -112,7 +112,7 @@ struct VertexRemovalFilter {
     return joined<ParameterRow<Params>>(
         {target_rows<Params>(),
          {selected_row<Params>(), show_classes_row(), tuning(quality_weight_row<Params>()),
-          tuning(threads_row<Params>())},
+          paper(keep_map_row<Params>()), tuning(threads_row<Params>())},
          for_papers<Params>({criterion_row(), distance_bound_row(), aspect_ratio_min_row()}),
          under<Params>("Keep", guard_rows())});
   }
@@ -197,7 +197,8 @@ struct VertexRemovalFilter {
                 {"An edge of the input between faces whose normals differ by at least this is "
                  "sharp: vertices on it go along it, and the loop around them is split there. 180: "
                  "no edge is.",
-                 "Edges with at least this angle between their faces are sharp."}))};
+                 "Edges with at least this angle between their faces are sharp."})),
+            tuning(keep_borders_of_row<Params>())};
   }
 
   static ResultRows<Report, Params> class_results() {

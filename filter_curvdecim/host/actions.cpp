@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include "filter_curvdecim/filters/all_filters.h"
+#include "filter_curvdecim/host/input_layer.h"
 #include "filter_curvdecim/host/rich_parameters.h"
 #include "filter_curvdecim/table/flat_dialogs.h"
 #include "vcg_ext/errors.h"
@@ -35,10 +36,16 @@ Progress progress_of(vcg::CallBackPos* callback) {
   return [callback](int percent, const char* stage) { return callback(percent, stage); };
 }
 
+bool has_polygons(const CMeshO& mesh) {
+  return std::any_of(mesh.face.begin(), mesh.face.end(),
+                     [](const auto& face) { return face.IsAnyF(); });
+}
+
 /// Brings up to date what the host keeps about a mesh beside the mesh.
 void refresh(MeshModel& mesh, const Changes& changed) {
   if (changed.shape) {
     mesh.clearDataMask(MeshModel::MM_FACEFACETOPO | MeshModel::MM_VERTFACETOPO);
+    if (!has_polygons(mesh.cm)) mesh.clearDataMask(MeshModel::MM_POLYGONAL);
     mesh.cm.sfn = count_selected(mesh.cm.face);
     mesh.cm.svn = count_selected(mesh.cm.vert);
   }
@@ -100,13 +107,16 @@ RichParameterList default_parameters(const Action& action, const MeshModel* mesh
   return rich_parameters(action.offered, facts_of(mesh));
 }
 
-Outcome apply(const Action& action, MeshModel* mesh, const RichParameterList& parameters,
+Outcome apply(const Action& action, MeshDocument& document, const RichParameterList& parameters,
               vcg::CallBackPos* callback) {
+  MeshModel* mesh = document.mm();
   if (!mesh) throw InputError("There is no current mesh; load a triangle mesh first.");
   const auto values = read_values(action.parameters, parameters, facts_of(mesh));
+  const InputLayer input(action.parameters, values, *mesh);
   try {
     const Outcome outcome = action.run(mesh->cm, values, progress_of(callback));
     refresh(*mesh, outcome.changed);
+    input.add_to(document, *mesh);
     return outcome;
   } catch (const InputError& error) {
     throw in_names_of(action.parameters, error, name_for_user);

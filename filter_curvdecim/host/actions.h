@@ -28,9 +28,9 @@ int postcondition(const Action& action);
 /// Parameters with defaults for this mesh; `mesh` may be null.
 RichParameterList default_parameters(const Action& action, const MeshModel* mesh);
 
-/// Runs a filter on the current mesh of the host; `callback` may be null. Throws InputError; the
-/// mesh is then as it was.
-Outcome apply(const Action& action, MeshModel* mesh, const RichParameterList& parameters,
+/// Runs a filter on the current mesh of the host; `callback` may be null. With KeepMap there is one
+/// more layer afterwards. Throws InputError; the document is then as it was.
+Outcome apply(const Action& action, MeshDocument& document, const RichParameterList& parameters,
               vcg::CallBackPos* callback);
 
 }  // namespace curvdecim::glue

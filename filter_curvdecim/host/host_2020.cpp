@@ -49,8 +49,7 @@ bool FilterCurvDecimPlugin::applyFilter(QAction* action, MeshDocument& document,
                                         const RichParameterList& parameters,
                                         vcg::CallBackPos* callback) {
   try {
-    const auto outcome =
-        glue::apply(glue::action_of(ID(action)), document.mm(), parameters, callback);
+    const auto outcome = glue::apply(glue::action_of(ID(action)), document, parameters, callback);
     for (const std::string& line : glue::log_lines(outcome)) Log(line);
     return true;
   } catch (const std::exception& error) {

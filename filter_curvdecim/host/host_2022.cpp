@@ -74,8 +74,7 @@ std::map<std::string, QVariant> FilterCurvDecimPlugin::applyFilter(
     const QAction* action, const RichParameterList& parameters, MeshDocument& document,
     unsigned int& post_condition_mask, vcg::CallBackPos* callback) {
   try {
-    const auto outcome =
-        glue::apply(glue::action_of(ID(action)), document.mm(), parameters, callback);
+    const auto outcome = glue::apply(glue::action_of(ID(action)), document, parameters, callback);
     if (!changed_anything(outcome)) post_condition_mask = MeshModel::MM_NONE;
     for (const std::string& line : glue::log_lines(outcome)) log(line);
     return dictionary_of(outcome);

@@ -49,7 +49,7 @@ struct ParameterText {
 enum class Audience {
   Everyone,
   Tuning,  ///< those who tune: in a dialog that unfolds, on demand
-  Papers,  ///< those who repeat a paper: the same
+  Papers,  ///< those who repeat a paper, or go on with the result in scripts: the same
 };
 
 /// Where a dialog shows a parameter.

@@ -78,8 +78,14 @@ ParameterRow<Params> tuning(ParameterRow<Params> row) {
 }
 
 template <class Params>
+ParameterRow<Params> paper(ParameterRow<Params> row) {
+  row.place.audience = Audience::Papers;
+  return row;
+}
+
+template <class Params>
 ParameterRows<Params> for_papers(ParameterRows<Params> rows) {
-  for (auto& row : rows) row.place.audience = Audience::Papers;
+  for (auto& row : rows) row = paper(row);
   return rows;
 }
 

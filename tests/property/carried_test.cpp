@@ -8,10 +8,10 @@
 #include <string>
 
 #include "support/clustering.h"
+#include "support/custom_mesh.h"
 #include "support/decimation.h"
 #include "support/drawn_meshes.h"
 #include "support/removal.h"
-#include "support/rich_mesh.h"
 
 namespace curvdecim::test {
 namespace {
@@ -31,23 +31,6 @@ DecimationReport by_clustering(RichMesh& mesh) {
   params.target_faces = 100;
   return cluster(mesh, params);
 }
-
-/// Deletes the custom attributes, which a vcg mesh does not do itself.
-class CustomMesh : public RichMesh {
- public:
-  explicit CustomMesh(const Shape& shape) { fill_with_attributes(*this, shape); }
-  ~CustomMesh() {
-    while (!vert_attr.empty()) drop(vert_attr);
-    while (!face_attr.empty()) drop(face_attr);
-  }
-
- private:
-  template <class Attributes>
-  static void drop(Attributes& attributes) {
-    delete attributes.begin()->_handle;
-    attributes.erase(attributes.begin());
-  }
-};
 
 class Carried : public testing::TestWithParam<Decimate> {
  protected:

@@ -12,6 +12,7 @@
 #include "support/decimation.h"
 #include "support/drawn_meshes.h"
 #include "support/mesh_types.h"
+#include "support/removal.h"
 
 namespace curvdecim::test {
 
@@ -174,6 +175,46 @@ TEST(AttributeWeight, LowersTheDrift) {
     return worst;
   };
   EXPECT_LT(error_with(1.0), 0.5 * error_with(0.0));
+}
+
+/// Every face is a chart: it has its own place in the texture.
+void fill_in_pieces(RichMesh& mesh, int subdivisions) {
+  fill(mesh, icosphere(subdivisions));
+  for (std::size_t f = 0; f < mesh.face.size(); ++f)
+    for (int i = 0; i < 3; ++i) {
+      mesh.face[f].WT(i).u() = 0.01 * static_cast<double>(f) + (i == 1 ? 0.009 : 0.0);
+      mesh.face[f].WT(i).v() = i == 2 ? 0.5 : 0.0;
+    }
+}
+
+bool is_told(const DecimationReport& report, const std::string& words) {
+  return std::any_of(report.notes.begin(), report.notes.end(), [&](const std::string& note) {
+    return note.find(words) != std::string::npos;
+  });
+}
+
+TEST(TextureInPieces, IsToldWithNumbersAndAWayOut) {
+  RichMesh mesh;
+  fill_in_pieces(mesh, 2);
+  const DecimationReport report = decimate(mesh, to_faces(100));
+  EXPECT_TRUE(is_told(report, "in 320 charts of 1 faces in the mean, and 100 % of the vertices"));
+  EXPECT_TRUE(is_told(report, "'Transfer: Vertex Attributes to Texture (1 or 2 meshes)'"));
+}
+
+TEST(TextureInPieces, IsNotToldOfLargeCharts) {
+  RichMesh mesh;
+  fill_cube_map(mesh, 4);
+  const DecimationReport report = decimate(mesh, to_faces(500));
+  EXPECT_FALSE(is_told(report, "in the mean"));
+  EXPECT_TRUE(is_told(report, "The texture has seams."));
+}
+
+TEST(TextureInPieces, IsNamedAsAReasonWhyVerticesAreNotRemoved) {
+  RichMesh mesh;
+  fill_in_pieces(mesh, 2);
+  const DecimationReport report = remove(mesh, removal_to(4));
+  ASSERT_EQ(report.stopped_by, StopReason::NothingLeft);
+  EXPECT_TRUE(is_told(report, "because of seams there, of a texture or between groups of faces"));
 }
 
 }  // namespace

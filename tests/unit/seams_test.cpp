@@ -7,6 +7,7 @@
 #include "support/texture.h"
 #include "support/working_mesh.h"
 #include "vcg_ext/guard/collapse_rule.h"
+#include "vcg_ext/mesh/chart_count.h"
 
 namespace curvdecim::test {
 
@@ -45,6 +46,14 @@ TEST(Seams, MayEndInsideAChart) {
   EXPECT_TRUE(is_seam_edge(mesh, Edge{11, 12}));
   EXPECT_TRUE(is_on_seam(mesh, 12));
   EXPECT_FALSE(is_on_seam(mesh, 13));
+}
+
+TEST(Charts, AreCountedBetweenSeams) {
+  EXPECT_EQ(count_charts(textured_grid(true)), 2);
+  EXPECT_EQ(count_charts(textured_grid(false)), 1);
+  WorkingMesh slit = working_mesh(plane_grid(4));
+  give_slit_texture(slit);
+  EXPECT_EQ(count_charts(slit), 1);
 }
 
 TEST(CollapseRule, LetsAChartGoOntoASeamAndASeamAlongItself) {

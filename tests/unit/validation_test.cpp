@@ -129,7 +129,7 @@ std::set<std::string> names_of() {
 }
 
 TEST(Fields, HaveEveryNameOnce) {
-  EXPECT_EQ(names_of<CommonParams>().size(), 5u);
+  EXPECT_EQ(names_of<CommonParams>().size(), 6u);
   EXPECT_EQ(names_of<EdgeCollapseParams>().count("pair_distance"), 1u);
   EXPECT_EQ(names_of<SphereParams>().count("kernel_scale"), 1u);
   EXPECT_EQ(names_of<VertexRemovalParams>().count("criterion"), 1u);

@@ -43,7 +43,7 @@ class WriteBackOf : public testing::Test {
   void write(const std::vector<BlendStep>& steps = {}) {
     Carried carried;
     carried.blended = BlendRecord(steps);
-    WriteBack<RichMesh>(mesh_, copy_, carried, Parallel(2)).run();
+    WriteBack<RichMesh>(mesh_, copy_, carried, Parallel(2)).run(nullptr);
   }
 
   RichMesh mesh_;

@@ -165,6 +165,7 @@ class CollapseOperator {
     for (CollapseObserver* observer : observers_)
       observer->before(mesh_, around, scratch.charts, done, number);
     if (mesh_.wedges.exist()) merge_wedges(mesh_, around, scratch.charts);
+    mesh_.note_merge(done.gone, done.keep);
     mesh_.position[done.keep] = candidate.position;
     Removed removed = mesh_.connectivity.collapse(done.keep, done.gone);
     if (!topology_) removed += remove_duplicates(around);

@@ -13,6 +13,7 @@
 #include "vcg_ext/clustering/clustering_operator.h"
 #include "vcg_ext/host_mesh/attributes.h"
 #include "vcg_ext/host_mesh/change_mesh.h"
+#include "vcg_ext/host_mesh/input_vertices.h"
 #include "vcg_ext/report.h"
 
 namespace curvdecim::detail {
@@ -48,12 +49,14 @@ class ClusterWriteBack {
     return flat_.box.diagonal * std::sqrt(*std::max_element(furthest2.begin(), furthest2.end()));
   }
 
-  void run(const CarriedByCells& carried) {
+  /// input: for the maps; nullptr: there are to be none.
+  void run(const CarriedByCells& carried, InputVertices<MeshType>* input) {
     blend_attributes(carried.blend);
     connect_faces(carried.wedges);
     move_vertices();
     delete_vertices();
     drop_polygons(mesh_, !flat_.staying.empty());
+    if (input) write_map(*input);
     compact_mesh(mesh_);
   }
 
@@ -133,6 +136,13 @@ class ClusterWriteBack {
     }
   }
 
+  void write_map(InputVertices<MeshType>& input) {
+    for (int v = 0; v < input.count(); ++v)
+      if (const int c = clusters_.cell_of[v]; c != Clusters::none)
+        input.set(v, in_use_[c] ? representatives_.vertex[c] : InputVertices<MeshType>::none);
+    input.write(mesh_, parallel_);
+  }
+
   MeshType& mesh_;
   const FlatMesh& flat_;
   const Clusters& clusters_;
@@ -145,10 +155,11 @@ class ClusterWriteBack {
 /// Makes the host's mesh what its clustering left.
 template <class MeshType>
 void write_back(MeshType& mesh, const FlatMesh& flat, const Clustering& clustering,
-                const CarriedByCells& carried, const Parallel& parallel, ClusteringReport& report) {
+                const CarriedByCells& carried, std::optional<InputVertices<MeshType>> input,
+                const Parallel& parallel, ClusteringReport& report) {
   ClusterWriteBack<MeshType> back(mesh, flat, clustering, parallel);
   report.largest_move = back.furthest_move();
-  back.run(carried);
+  back.run(carried, input ? &*input : nullptr);
   report.faces = mesh.fn, report.vertices = mesh.vn;
 }
 

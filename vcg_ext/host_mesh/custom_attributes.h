@@ -5,6 +5,8 @@
 #include <vcg/complex/complex.h>
 
 #include <Eigen/Core>
+#include <algorithm>
+#include <cstring>
 #include <string>
 #include <tuple>
 #include <typeindex>
@@ -94,6 +96,21 @@ std::string names_of_unknown(const Attributes& attributes) {
     if (!with_type_of(attribute, [](auto) {}))
       names += (names.empty() ? "'" : ", '") + attribute._name + "'";
   return names;
+}
+
+/// Whether two elements have the same bits in an attribute.
+template <class Attribute>
+bool has_same_bits(const Attribute& attribute, std::size_t i, std::size_t j) {
+  const auto* values = attribute._handle;
+  return std::memcmp(values->At(i), values->At(j), values->SizeOf()) == 0;
+}
+
+/// Whether two elements have the same values in all attributes of the above types.
+template <class Attributes>
+bool are_same_in_known(const Attributes& attributes, std::size_t i, std::size_t j) {
+  return std::all_of(attributes.begin(), attributes.end(), [&](const auto& attribute) {
+    return !with_type_of(attribute, [](auto) {}) || has_same_bits(attribute, i, j);
+  });
 }
 
 /// Element `to` gets what element `from` has, of any type.

@@ -4,21 +4,12 @@
 #include <vcg/complex/complex.h>
 
 #include <algorithm>
-#include <cstring>
 
 #include "vcg_ext/host_mesh/attributes.h"
 #include "vcg_ext/host_mesh/working_copy.h"
 #include "vcg_ext/mesh/border_seams.h"
 
 namespace curvdecim::detail {
-
-template <class MeshType>
-bool have_the_same_custom_values(const MeshType& mesh, int v, int w) {
-  return std::all_of(mesh.vert_attr.begin(), mesh.vert_attr.end(), [&](const auto& attribute) {
-    const auto* values = attribute._handle;
-    return std::memcmp(values->At(v), values->At(w), values->SizeOf()) == 0;
-  });
-}
 
 /// True if two vertices of the host's mesh carry the same. Normals do not count: a host computes
 /// them, and at a crease every copy has that of its own faces.
@@ -32,7 +23,8 @@ bool carry_the_same(const MeshType& mesh, int v, int w) {
          (!vcg::tri::HasPerVertexCurvatureDir(mesh) ||
           (curvatures_of(a) == curvatures_of(b) &&
            curvature_directions_of(a) == curvature_directions_of(b))) &&
-         have_the_same_custom_values(mesh, v, w);
+         std::all_of(mesh.vert_attr.begin(), mesh.vert_attr.end(),
+                     [&](const auto& attribute) { return has_same_bits(attribute, v, w); });
 }
 
 /// Joins borders that lie on each other. The first one of the host's vertices in a place stands for

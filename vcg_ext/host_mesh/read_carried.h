@@ -13,6 +13,7 @@
 #include "vcg_ext/host_mesh/read_wedges.h"
 #include "vcg_ext/host_mesh/working_copy.h"
 #include "vcg_ext/run/notes.h"
+#include "vcg_ext/run/plan_reading.h"
 
 namespace curvdecim::detail {
 
@@ -65,32 +66,32 @@ inline std::size_t expected_collapses(const WorkingMesh& mesh, const StopCriteri
 /// Reads what the mesh carries, and what weighs its vertices, for a run of collapses; notes what
 /// the user should know of both.
 template <class MeshType>
-Carried read_carried(const MeshType& mesh, WorkingCopy& copy, bool quality_weight,
+Carried read_carried(const MeshType& mesh, WorkingCopy& copy, const ReadingPlan& reading,
                      const CollapsePlan& plan, const Parallel& parallel, DecimationReport& report) {
-  weigh_by_quality(mesh, quality_weight, copy, report);
+  weigh_by_quality(mesh, reading.quality_weight, copy, report);
   note_repairs(copy.mesh, copy.unusable.size(), plan.limits.keeps_topology, report);
   Carried carried;
-  carried.copies_differ = read_wedges(mesh, copy);
+  carried.copies_differ = read_wedges(mesh, copy, reading.keep_borders_of);
   find_seams(copy.mesh, parallel);
   const bool by_wedge = copy.mesh.wedges.exist();
   const bool over_surface = by_wedge || has_varying_attributes(mesh, copy.vertex_of, parallel);
   carried.blended = BlendRecord(over_surface, expected_collapses(copy.mesh, plan.stop), by_wedge);
   note_borders(copy.borders_joined, carried.copies_differ, report);
   if (plan.pair_distance == 0.0) note_open_seams(copy.mesh, copy.vertex_of, report);
-  if (!copy.mesh.texture.empty() && !copy.mesh.on_seam.empty()) note_seams(report);
+  if (!copy.mesh.texture.empty() && !copy.mesh.on_seam.empty()) note_seams(copy.mesh, report);
   note_dropped_attributes(mesh, parallel, report);
   return carried;
 }
 
 /// The same for removals of vertices: those that stay keep all that they carry.
 template <class MeshType>
-Carried read_carried(const MeshType& mesh, WorkingCopy& copy, bool quality_weight,
+Carried read_carried(const MeshType& mesh, WorkingCopy& copy, const ReadingPlan& reading,
                      const Parallel& parallel, DecimationReport& report) {
-  weigh_by_quality(mesh, quality_weight, copy, report);
+  weigh_by_quality(mesh, reading.quality_weight, copy, report);
   note_repairs(copy.mesh, copy.unusable.size(), true, report);
   note_open_seams(copy.mesh, copy.vertex_of, report);
   Carried carried;
-  carried.copies_differ = read_wedges(mesh, copy);
+  carried.copies_differ = read_wedges(mesh, copy, reading.keep_borders_of);
   note_faux_edges(mesh, parallel, report);
   return carried;
 }

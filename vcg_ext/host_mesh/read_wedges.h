@@ -7,19 +7,21 @@
 #include <vector>
 
 #include "vcg_ext/host_mesh/attributes.h"
+#include "vcg_ext/host_mesh/face_groups.h"
 #include "vcg_ext/host_mesh/join_borders.h"
 #include "vcg_ext/host_mesh/working_copy.h"
 
 namespace curvdecim::detail {
 
-/// Tells the corners at each vertex apart by what they carry: their wedge texture coordinates, and
-/// the host's vertices, of which the vertex may stand for several.
+/// Tells the corners at each vertex apart by what they carry: their wedge texture coordinates, the
+/// groups of their faces, and the host's vertices, of which the vertex may stand for several.
 template <class MeshType>
 class WedgeReader {
  public:
-  WedgeReader(const MeshType& mesh, WorkingCopy& copy)
+  WedgeReader(const MeshType& mesh, WorkingCopy& copy, const FaceGroups<MeshType>& groups)
       : mesh_(mesh),
         copy_(copy),
+        groups_(groups),
         has_texture_(vcg::tri::HasPerWedgeTexCoord(mesh)),
         next_(copy.vertex_of.size(), Wedges::none),
         corner_(copy.vertex_of.size()) {}
@@ -29,13 +31,11 @@ class WedgeReader {
   bool read() {
     std::vector<Face> of_face(copy_.mesh.face_origin.size());
     for (std::size_t f = 0; f < of_face.size(); ++f) {
-      const auto& face = mesh_.face[copy_.mesh.face_origin[f]];
       for (int i = 0; i < 3; ++i)
-        of_face[f][i] =
-            wedge_of(copy_.mesh.connectivity.face(static_cast<int>(f))[i],
-                     {static_cast<int>(vcg::tri::Index(mesh_, face.cV(i))), coordinate(face, i)});
+        of_face[f][i] = wedge_of(copy_.mesh.connectivity.face(static_cast<int>(f))[i],
+                                 corner_of(copy_.mesh.face_origin[f], i));
     }
-    if (!has_texture_ && !differ_) return false;
+    if (!has_texture_ && !differ_ && !groups_.exist()) return false;
     copy_.mesh.wedges = Wedges(std::move(of_face), static_cast<int>(corner_.size()));
     for (const Corner& corner : corner_)
       if (has_texture_) copy_.mesh.texture.emplace_back(corner.at.u, corner.at.v);
@@ -45,12 +45,14 @@ class WedgeReader {
  private:
   struct Corner {
     int host = Wedges::none;
+    int face = Wedges::none;  // of the host, or another one of its group
     WedgeCoordinate at;
   };
 
-  template <class FaceType>
-  WedgeCoordinate coordinate(const FaceType& face, int i) const {
-    return has_texture_ ? wedges_of(face)[i] : WedgeCoordinate();
+  Corner corner_of(int f, int i) const {
+    const auto& face = mesh_.face[f];
+    return {static_cast<int>(vcg::tri::Index(mesh_, face.cV(i))), f,
+            has_texture_ ? wedges_of(face)[i] : WedgeCoordinate()};
   }
 
   /// The wedge of v that carries what the corner does; a new one if there is none.
@@ -59,7 +61,8 @@ class WedgeReader {
     int same_host = Wedges::none;
     for (int wedge = v;; wedge = next_[wedge]) {
       if (are_one(copy_.vertex_of[wedge], corner.host)) {
-        if (same(corner_[wedge].at, corner.at)) return wedge;
+        if (same(corner_[wedge].at, corner.at) && groups_.are_one(corner_[wedge].face, corner.face))
+          return wedge;
         same_host = wedge;
       }
       if (next_[wedge] == Wedges::none) return add(wedge, corner, same_host);
@@ -94,6 +97,7 @@ class WedgeReader {
 
   const MeshType& mesh_;
   WorkingCopy& copy_;
+  const FaceGroups<MeshType>& groups_;
   const bool has_texture_;
   bool differ_ = false;
   std::vector<int> next_;       // by wedge: another one of its vertex
@@ -103,9 +107,11 @@ class WedgeReader {
 /// Tells corners apart where what they carry asks for it. Returns whether wedges of a vertex differ
 /// in what the host's vertices carry. Appends the wedges beyond the vertices to copy.vertex_of.
 template <class MeshType>
-bool read_wedges(const MeshType& mesh, WorkingCopy& copy) {
-  if (copy.borders_joined == 0 && !vcg::tri::HasPerWedgeTexCoord(mesh)) return false;
-  return WedgeReader<MeshType>(mesh, copy).read();
+bool read_wedges(const MeshType& mesh, WorkingCopy& copy, KeepBordersOf keep_borders_of) {
+  const FaceGroups<MeshType> groups(mesh, keep_borders_of);
+  if (copy.borders_joined == 0 && !vcg::tri::HasPerWedgeTexCoord(mesh) && !groups.exist())
+    return false;
+  return WedgeReader<MeshType>(mesh, copy, groups).read();
 }
 
 }  // namespace curvdecim::detail

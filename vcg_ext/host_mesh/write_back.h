@@ -8,12 +8,14 @@
 #include <atomic>
 #include <cstdint>
 #include <numeric>
+#include <optional>
 #include <type_traits>
 #include <vector>
 
 #include "vcg_ext/attributes/carried.h"
 #include "vcg_ext/host_mesh/attributes.h"
 #include "vcg_ext/host_mesh/change_mesh.h"
+#include "vcg_ext/host_mesh/traced_input.h"
 #include "vcg_ext/host_mesh/working_copy.h"
 #include "vcg_ext/report.h"
 
@@ -37,7 +39,8 @@ class WriteBack {
     find_speakers();
   }
 
-  void run() {
+  /// traced: for the maps; nullptr: there are to be none.
+  void run(TracedInput<MeshType>* traced) {
     add_faces();
     place_vertices();
     blend_attributes();
@@ -47,6 +50,7 @@ class WriteBack {
     connect_faces();
     delete_vertices();
     drop_polygons(mesh_, copy_.selected_only);
+    if (traced) traced->write(mesh_, copy_.mesh.merges, places(), parallel_);
     compact_mesh(mesh_);
   }
 
@@ -103,6 +107,16 @@ class WriteBack {
         if (!copy_.mesh.wedges.exist()) break;  // all corners are of the same
         seen[wedge] = true;
       }
+  }
+
+  /// By number at the start or later: the first place of what is left of it.
+  std::vector<int> places() const {
+    std::vector<int> places(copy_.mesh.vertex_origins, none);
+    for_each_speaker([&](int wedge, int v) {
+      int& place = places[copy_.mesh.vertex_origin[v]];
+      place = place == none ? place_of_[wedge] : std::min(place, place_of_[wedge]);
+    });
+    return places;
   }
 
   /// Those that the run was given beyond the host's; what they carry comes from others.
@@ -235,13 +249,14 @@ class WriteBack {
 
 /// Makes the host's mesh what the run made of its working copy.
 template <class MeshType>
-void write_back(MeshType& mesh, WorkingCopy& copy, const Carried& carried, const Parallel& parallel,
+void write_back(MeshType& mesh, WorkingCopy& copy, const Carried& carried,
+                std::optional<TracedInput<MeshType>> traced, const Parallel& parallel,
                 DecimationReport& report) {
   parallel.progress().fall_silent();
   for (int source : copy.mesh.wedges.sources()) copy.vertex_of.push_back(copy.vertex_of[source]);
   if (!copy.mesh.wedges.exist())
     copy.vertex_of.resize(copy.mesh.vertex_origins, copy.vertex_of[0]);  // any: they are blended
-  WriteBack<MeshType>(mesh, copy, carried, parallel).run();
+  WriteBack<MeshType>(mesh, copy, carried, parallel).run(traced ? &*traced : nullptr);
   report.faces = mesh.fn, report.vertices = mesh.vn;
 }
 

@@ -24,9 +24,11 @@ class DisjointSets {
     return i;
   }
 
-  void unite(int i, int j) {
+  /// Returns whether they were in two sets.
+  bool unite(int i, int j) {
     i = root(i), j = root(j);
     parent_[std::max(i, j)] = std::min(i, j);
+    return i != j;
   }
 
  private:

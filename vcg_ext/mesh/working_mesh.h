@@ -9,6 +9,7 @@
 #include "vcg_ext/geometry/texture_triangle.h"
 #include "vcg_ext/geometry/triangle.h"
 #include "vcg_ext/mesh/edge_neighborhood.h"
+#include "vcg_ext/mesh/merge_record.h"
 #include "vcg_ext/mesh/renumbering.h"
 #include "vcg_ext/mesh/triangle_connectivity.h"
 #include "vcg_ext/mesh/vertex_kind.h"
@@ -30,6 +31,7 @@ struct WorkingMesh {
   std::vector<Vector2> texture;       // by wedge: its coordinates; empty: there are none
   std::vector<int> vertex_origin;     // by vertex: its number at the start, or a later one
   std::vector<int> face_origin;  // by face: its number in the mesh it was taken from, or a later
+  MergeRecord merges;            // by the numbers of vertex_origin
   int vertex_origins = 0;        // numbers that were given
   int face_origins = 0;          // the same, those of the mesh that it was taken from included
 
@@ -44,6 +46,8 @@ struct WorkingMesh {
     return {texture[of_face[0]], texture[of_face[1]], texture[of_face[2]]};
   }
 
+  void note_merge(int gone, int keep) { merges.note(vertex_origin[gone], vertex_origin[keep]); }
+
   void update_plane(int f) { plane[f] = face_plane(triangle(f)); }
 
   /// Those of all faces, none of which is dead.
@@ -55,6 +59,7 @@ struct WorkingMesh {
   void renumber(const Renumbering& numbers) {
     numbers.vertices(position), numbers.vertices(kind), numbers.vertices(locked);
     numbers.vertices(importance), numbers.vertices(vertex_origin, vertex_origins);
+    merges.make_room(vertex_origins);
     const std::size_t planes = plane.size();
     numbers.faces(plane), numbers.faces(face_origin, face_origins);
     // Those of dead faces, which an Array would leave without a value.

@@ -59,6 +59,7 @@ std::optional<PassSurface> split(WorkingMesh& mesh, MetricType& metric, double a
   surface.importance.assign(mesh.importance.begin(), mesh.importance.end());
   surface.vertex_before = std::exchange(mesh.vertex_origin, {});  // the same, as it is new
   surface.face_origin = std::exchange(mesh.face_origin, {});
+  surface.merges = std::exchange(mesh.merges, {});
   return surface;
 }
 
@@ -86,6 +87,7 @@ void join(PassSurface surface, WorkingMesh& mesh, MetricType& metric, const Para
   surface.vertex_before.shrink_to_fit(), surface.face_origin.shrink_to_fit();
   mesh.vertex_origin = std::move(surface.vertex_before);
   mesh.face_origin = std::move(surface.face_origin);
+  mesh.merges = std::move(surface.merges);
   mesh.connectivity = TriangleConnectivity(std::move(surface.faces),
                                            static_cast<int>(mesh.position.size()), parallel);
   mesh.update_planes(parallel);

@@ -160,6 +160,7 @@ class PassCollapses {
           static_cast<float>(t) * (surface_.importance[gone] - surface_.importance[keep]);
     if (now != keep_was) note(merge, step, steps);
     surface_.position[keep] = now;
+    surface_.merges.note(surface_.vertex_before[gone], surface_.vertex_before[keep]);
     into_[gone] = keep;
     merged_[keep] = merged_[gone] = 1;
   }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "vcg_ext/geometry/small_quadric.h"
+#include "vcg_ext/mesh/merge_record.h"
 #include "vcg_ext/mesh/triangle_connectivity.h"
 #include "vcg_ext/metric/pass_weight.h"
 #include "vcg_ext/parallel/pieces.h"
@@ -39,6 +40,7 @@ struct PassSurface {
   std::vector<float> importance;     // by vertex: factor on the cost; empty: 1 everywhere
   std::vector<std::uint8_t> held;    // by vertex: 1 if no pass may touch it
   std::vector<int> vertex_before;    // by vertex: its number before the passes
+  MergeRecord merges;                // by these numbers
   std::vector<Face> faces;           // none is degenerate
   std::vector<Face> wedges;          // by face: of the corners that are held; empty: not told apart
   std::vector<int> face_origin;      // by face: as a WorkingMesh has it

@@ -114,6 +114,7 @@ class RemovalOperator {
     const VertexFan& fan = scratch.fan;
     for (RemovalObserver* observer : observers_) observer->before(mesh_, fan, scratch.faces);
     if (mesh_.wedges.exist()) hand_over_wedges(scratch.faces);
+    if (mesh_.merges.exists()) note_merge(fan);
     std::vector<Face> now(fan.faces().size(), dead_face);
     for (std::size_t i = 0; i < scratch.faces.size(); ++i) {
       const NewFace& face = scratch.faces[i];
@@ -139,6 +140,16 @@ class RemovalOperator {
     Vector3 foot;     // of the vertex
     double distance;  // of the vertex from its foot
   };
+
+  /// A vertex that goes counts as merged with the nearest one around it.
+  void note_merge(const VertexFan& fan) {
+    const Vector3& x = mesh_.position[fan.vertex()];
+    const auto distance2 = [&](int u) { return (mesh_.position[u] - x).squaredNorm(); };
+    const auto nearest = std::min_element(fan.loop().begin(), fan.loop().end(), [&](int u, int w) {
+      return distance2(u) < distance2(w);
+    });
+    mesh_.note_merge(fan.vertex(), *nearest);
+  }
 
   /// A corner of a new face has the wedge that its vertex has on this side of a seam.
   void hand_over_wedges(const std::vector<NewFace>& faces) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <iomanip>
@@ -12,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "vcg_ext/mesh/chart_count.h"
 #include "vcg_ext/mesh/working_mesh.h"
 #include "vcg_ext/report.h"
 #include "vcg_ext/run/grouped.h"
@@ -87,6 +89,23 @@ inline void note_open_seams(const WorkingMesh& mesh, const std::vector<int>& ver
 inline void note_seams(DecimationReport& report) {
   report.notes.push_back(
       "The texture has seams. They are carried, and may shift as far as the surface does.");
+}
+
+/// Says so where the seams of a mesh leave little room. mesh: of a texture; before the collapses.
+inline void note_seams(const WorkingMesh& mesh, DecimationReport& report) {
+  constexpr double most = 0.5;  // of the vertices
+  const auto on_seams = std::count(mesh.on_seam.begin(), mesh.on_seam.end(), std::uint8_t{1});
+  const double share = static_cast<double>(on_seams) / static_cast<double>(mesh.position.size());
+  if (share < most) return note_seams(report);
+  const int charts = count_charts(mesh);
+  report.notes.push_back(
+      "The texture is in " + grouped(charts) + " charts of " +
+      grouped((mesh.connectivity.face_count() + charts / 2) / charts) + " faces in the mean, and " +
+      std::to_string(std::lround(100.0 * share)) +
+      " % of the vertices are on seams, which hold them in place. For far fewer faces, simplify a "
+      "copy that has no texture (saved as STL, for example), give it a new parametrization, and "
+      "bring the image over by 'Transfer: Vertex Attributes to Texture (1 or 2 meshes)' in the "
+      "menu Filters > Texture.");
 }
 
 /// mesh: after the collapses.

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "vcg_ext/collapse/collapse_plan.h"
+#include "vcg_ext/mesh/seams.h"
 #include "vcg_ext/mesh/tally.h"
 #include "vcg_ext/mesh/working_mesh.h"
 #include "vcg_ext/removal/removal_plan.h"
@@ -135,6 +136,13 @@ inline std::string told_locked(const WorkingMesh& mesh) {
                       [&](int v) { return mesh.locked[v] != 0; });
 }
 
+/// What no removal leaves.
+inline std::string told_seams(const WorkingMesh& mesh) {
+  if (!mesh.wedges.exist()) return "";
+  return told_staying(mesh, "seams there, of a texture or between groups of faces",
+                      [&](int v) { return ends_seam(mesh, v); });
+}
+
 /// Kinds of vertices that hold each other back without a question. limits: of the run. is_all:
 /// nothing else was said, advice neither.
 inline std::string told_junctions(const WorkingMesh& mesh, const CollapseLimits& limits,
@@ -148,7 +156,7 @@ inline std::string told_junctions(const WorkingMesh& mesh, const CollapseLimits&
 
 /// What a removal does not try.
 inline std::string told_untried(const WorkingMesh& mesh, const RemovalPlan& plan) {
-  std::string told = told_locked(mesh);
+  std::string told = told_seams(mesh) + told_locked(mesh);
   const std::string hub = "more than " + std::to_string(VertexFan::longest) + " faces there";
   told += told_staying(mesh, hub, [&](int v) {
     return mesh.locked[v] == 0 && mesh.connectivity.faces_of(v).size() > VertexFan::longest;

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vcg/complex/complex.h>
+
+#include "vcg_ext/host_mesh/custom_attributes.h"
+#include "vcg_ext/params.h"
+
+namespace curvdecim::detail {
+
+/// Faces of a vcg mesh that are the same in what the user names.
+template <class MeshType>
+class FaceGroups {
+ public:
+  FaceGroups(const MeshType& mesh, KeepBordersOf by) : mesh_(mesh), by_(by) {}
+
+  /// Whether the mesh has what tells them apart.
+  bool exist() const {
+    switch (by_) {
+      case KeepBordersOf::Nothing: return false;
+      case KeepBordersOf::FaceColor: return vcg::tri::HasPerFaceColor(mesh_);
+      case KeepBordersOf::FaceQuality: return vcg::tri::HasPerFaceQuality(mesh_);
+      case KeepBordersOf::FaceAttributes: return !mesh_.face_attr.empty();
+    }
+    return false;
+  }
+
+  bool are_one(int f, int g) const {
+    if (f == g || !exist()) return true;
+    switch (by_) {
+      case KeepBordersOf::Nothing: return true;
+      case KeepBordersOf::FaceColor: return mesh_.face[f].cC() == mesh_.face[g].cC();
+      case KeepBordersOf::FaceQuality: return mesh_.face[f].cQ() == mesh_.face[g].cQ();
+      case KeepBordersOf::FaceAttributes: return are_same_in_known(mesh_.face_attr, f, g);
+    }
+    return true;
+  }
+
+ private:
+  const MeshType& mesh_;
+  const KeepBordersOf by_;
+};
+
+}  // namespace curvdecim::detail
