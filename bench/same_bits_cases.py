@@ -104,6 +104,7 @@ def _stepwise(asked: partial) -> Iterator[Case]:
     yield from asked(preservenormal=False, targetperc=(0.2, 0.05))
     yield from asked(normalangle=30.0)
     yield from asked(featureangle=(5.0, 180.0))
+    yield from asked(joinborders=False)
     yield from asked(keepmap=True)
     yield from asked(keepbordersof=_BORDERS_OF)
     yield from asked(normalangle=0.0)  # refused
@@ -141,7 +142,6 @@ CASES = (
     *_spheres(kernelscale=3.0),
     *_spheres(adaptivekernel=False),
     *_spheres(preservetopology=False, targetperc=0.05),
-    *_spheres(joinborders=False),
     *_spheres(attributeweight=1.0),
     *_with_attributes(_spheres, placement=("Free3D", "OnSphereAlongEdge")),
     *_stepwise(_removal),

@@ -125,7 +125,7 @@ struct DecimationParams : CommonParams {
   double normal_angle = 90.0;      ///< largest turn of a face
   bool preserve_topology = false;  ///< link condition @cite dey1999; off: gives way by size
   bool join_borders = true;        ///< those that lie on each other, for the run
-  double attribute_weight = 0.01;  ///< of how a texture drifts, against the error of the surface
+  double attribute_weight = 0.01;  ///< of texture and colours against the error of the surface
   double feature_angle = 60.0;     ///< dihedral angle from which an edge is sharp; 180: none is
   KeepBordersOf keep_borders_of = KeepBordersOf::Nothing;  ///< beside those of textures
 
@@ -249,9 +249,9 @@ enum class RemovalCriterion {
 };
 constexpr auto labels(RemovalCriterion) { return std::array{"Heap", "Passes"}; }
 
-/// Topology is kept always, no borders are joined and nothing moves: preserve_topology,
-/// join_borders and attribute_weight do not count. boundary_weight is a factor on distances to
-/// boundary and feature lines; without preserve_boundary those to boundaries count 0.
+/// Topology is kept always and nothing moves: preserve_topology and attribute_weight do not count.
+/// boundary_weight is a factor on distances to boundary and feature lines; without
+/// preserve_boundary those to boundaries count 0.
 struct VertexRemovalParams : DecimationParams {
   RemovalCriterion criterion = RemovalCriterion::Heap;
   double distance_bound = 0.0;     ///< on the sum of distances at a vertex; 0: none

@@ -55,12 +55,16 @@ std::vector<std::optional<VertexClass>> vertex_classes(const MeshType& mesh,
   using namespace detail;
   validate(params);
   const Parallel parallel(params.threads);
-  WorkingCopy copy = read_mesh(mesh, false, parallel);
+  ReadingPlan reading = plan_reading(params);
+  reading.selected_only = false;
+  WorkingCopy copy = read_mesh(mesh, reading, parallel);
   const RemovalPlan plan = plan_without_target(params, copy.box.diagonal);
   const auto classes_in_copy = classify(copy.mesh, plan, parallel);
   std::vector<std::optional<VertexClass>> classes(mesh.vert.size());
-  for (std::size_t v = 0; v < copy.vertex_of.size(); ++v)
-    classes[copy.vertex_of[v]] = classes_in_copy[v];
+  for (int f = 0; f < copy.mesh.connectivity.face_slots(); ++f)
+    for (int i = 0; i < 3; ++i)
+      classes[vcg::tri::Index(mesh, mesh.face[copy.mesh.face_origin[f]].cV(i))] =
+          classes_in_copy[copy.mesh.connectivity.face(f)[i]];
   return classes;
 }
 

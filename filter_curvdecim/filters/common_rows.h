@@ -128,11 +128,11 @@ ParameterRow<P> join_borders_row() {
 template <class P>
 ParameterRow<P> attribute_weight_row() {
   return row<P>(
-      &P::attribute_weight, "AttributeWeight", "Weight of the texture",
-      {"How much the drift of a texture over the surface counts against the error of the surface "
-       "itself. More keeps the image in place and the shape less well. 0: it does not count; seams "
-       "are kept in any case.",
-       "Of its drift, against the error of the surface."});
+      &P::attribute_weight, "AttributeWeight", "Weight of texture and colours",
+      {"How much it counts that a texture drifts over the surface, or that colours of vertices are "
+       "off, against the error of the surface itself. More keeps the image in place and the shape "
+       "less well. 0: they are carried, but do not count; seams are kept in any case.",
+       "Of their errors, against that of the surface."});
 }
 
 template <class P>

@@ -105,7 +105,7 @@ struct VertexRemovalFilter {
         "Vertices go one by one, those nearest to the surface that is left first, and the holes "
         "are filled with triangles. Those that stay keep all that they carry, to the bit. A "
         "manifold stays one. Edge collapse moves vertices and has a lower error.",
-        {"preserve_topology", "join_borders", "attribute_weight"}};
+        {"preserve_topology", "attribute_weight"}};
   }
 
   static ParameterRows<Params> parameters() {
@@ -192,6 +192,7 @@ struct VertexRemovalFilter {
                  "Of distances to borders and sharp edges."})),
             preserve_normal_row<Params>(),
             tuning(normal_angle_row<Params>()),
+            tuning(join_borders_row<Params>()),
             preserve_features_row(),
             tuning(feature_angle_row<Params>(
                 {"An edge of the input between faces whose normals differ by at least this is "

@@ -10,6 +10,7 @@
 #include "support/decimation.h"
 #include "support/drawn_meshes.h"
 #include "support/properties.h"
+#include "support/removal.h"
 #include "support/rich_mesh.h"
 #include "support/touching.h"
 
@@ -47,6 +48,34 @@ TEST(JoinBorders, OfASoupAndOfQuadsLeavesNoSeam) {
       EXPECT_EQ(topology(after).unreferenced_vertices, 0);
       EXPECT_NEAR(volume(after), 1.0, 1e-6);
     }
+}
+
+TEST(JoinBorders, OfVertexRemovalLeavesNoSeamAndMovesNothing) {
+  const Shape box = dense_box(8, {1, 1, 1});
+  for (const Shape& before : {soup_of(box), quads_of(box)}) {
+    const auto [after, report] = thinned(before, removal_to(60));
+    EXPECT_TRUE(says(report, "pairs of border edges that lay on each other"));
+    EXPECT_EQ(topology(after).boundary_loops, 0);
+    EXPECT_EQ(topology(after).components, 1);
+    EXPECT_NEAR(volume(after), 1.0, 1e-12);
+    for (const Point& p : after.vertices)
+      EXPECT_NE(std::find(before.vertices.begin(), before.vertices.end(), p),
+                before.vertices.end());
+  }
+}
+
+TEST(JoinBorders, OfVertexRemovalKeepsACopyForEachValueInOnePlace) {
+  RichMesh mesh;
+  fill_with_soup(mesh);
+  for (std::size_t f = 0; f < mesh.face.size(); ++f)  // each face of the box has its own
+    for (int i = 0; i < 3; ++i)
+      mesh.face[f].V(i)->Q() = mesh.face[f].cN()[0] + 2.0 * mesh.face[f].cN()[1];
+  const DecimationReport report = remove(mesh, removal_to(100));
+  const Shape after = shape_of(mesh);
+  EXPECT_TRUE(says(report, "come out as copies in one place"));
+  EXPECT_EQ(topology(welded(after)).boundary_loops, 0);
+  for (const RichFace& f : mesh.face)
+    for (int i = 0; i < 3; ++i) EXPECT_EQ(f.cV(i)->cQ(), f.cV(0)->cQ());
 }
 
 TEST(JoinBorders, OfTouchingPartsClosesEach) {

@@ -64,7 +64,7 @@ class KeepBorders : public testing::TestWithParam<Decimate> {
     CustomMesh mesh(sheet());
     mark_inside(mesh);
     const double before = marked_area(mesh);
-    GetParam()(mesh, by, 300);
+    GetParam()(mesh, by, 200);
     return std::abs(marked_area(mesh) / before - 1.0);
   }
 
@@ -73,7 +73,7 @@ class KeepBorders : public testing::TestWithParam<Decimate> {
     CustomMesh mesh(sheet());
     mark_inside(mesh);
     const double before = border_length(mesh);
-    GetParam()(mesh, by, 300);
+    GetParam()(mesh, by, 200);
     return border_length(mesh) / before;
   }
 
@@ -92,23 +92,23 @@ class KeepBorders : public testing::TestWithParam<Decimate> {
 };
 
 TEST_P(KeepBorders, OfAColourKeepTheirArea) {
-  EXPECT_LT(change_of_area(KeepBordersOf::FaceColor), 0.01);
+  EXPECT_LT(change_of_area(KeepBordersOf::FaceColor), 0.003);
   EXPECT_LT(length_of_border(KeepBordersOf::FaceColor), 1.0);
 }
 
 TEST_P(KeepBorders, OfAQualityKeepTheirArea) {
-  EXPECT_LT(change_of_area(KeepBordersOf::FaceQuality), 0.01);
+  EXPECT_LT(change_of_area(KeepBordersOf::FaceQuality), 0.003);
   EXPECT_LT(length_of_border(KeepBordersOf::FaceQuality), 1.0);
 }
 
 TEST_P(KeepBorders, OfALabelKeepTheirArea) {
-  EXPECT_LT(change_of_area(KeepBordersOf::FaceAttributes), 0.01);
+  EXPECT_LT(change_of_area(KeepBordersOf::FaceAttributes), 0.003);
   EXPECT_LT(length_of_border(KeepBordersOf::FaceAttributes), 1.0);
 }
 
 /// Otherwise the tests above say nothing.
 TEST_P(KeepBorders, ShiftWhereNobodyAsks) {
-  EXPECT_GT(length_of_border(KeepBordersOf::Nothing), 1.0);
+  EXPECT_GT(change_of_area(KeepBordersOf::Nothing), 0.01);
 }
 
 INSTANTIATE_TEST_SUITE_P(Filters, KeepBorders, testing::Values(decimate_edges, remove_vertices));

@@ -189,7 +189,9 @@ TEST(RemovalBadMesh, FacesWithoutAreaDoNoHarm) {
   for (Point& p : line.vertices) p.y() = 0.0;
   for (const Shape& shape : {flat, line})
     for (const RemovalVariant& variant : removal_variants()) {
-      const Shape after = thinned(shape, variant.of(removal_to(10))).shape;
+      VertexRemovalParams params = removal_to(10);
+      params.join_borders = false;  // those of the line lie on each other, and would make it a tube
+      const Shape after = thinned(shape, variant.of(params)).shape;
       EXPECT_TRUE(all_finite(after));
       EXPECT_PRED2(keeps_topology, topology(shape), topology(after));
     }

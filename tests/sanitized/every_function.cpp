@@ -59,6 +59,8 @@ std::vector<Call> collapses() {
   calls.push_back(collapse("TopologyOff", params));
   params = {}, params.join_borders = false;
   calls.push_back(collapse("BordersApart", params));
+  params = {}, params.keep_borders_of = KeepBordersOf::FaceColor;
+  calls.push_back(collapse("BordersOfColors", params));
   return calls;
 }
 

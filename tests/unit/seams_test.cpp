@@ -62,8 +62,10 @@ TEST(CollapseRule, LetsAChartGoOntoASeamAndASeamAlongItself) {
   EXPECT_EQ(rule({7, 12}), Allowed::Anywhere);
   EXPECT_EQ(rule({11, 12}), Allowed::Anywhere);
   EXPECT_EQ(rule({10, 11}), Allowed::OntoA);  // the border
-  EXPECT_FALSE(rule.is_free(12));
-  EXPECT_TRUE(rule.is_free(7));
+  EXPECT_TRUE(rule.is_free(12));
+  EXPECT_FALSE(rule.is_free(10));
+  EXPECT_FALSE(rule.pinches({7, 12}));
+  EXPECT_FALSE(rule.pinches({11, 12}));
 }
 
 TEST(CollapseRule, PinchesNoChartBetweenTwoSeams) {

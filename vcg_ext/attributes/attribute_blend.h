@@ -42,20 +42,24 @@ struct BlendSteps {
 /// Notes for every collapse where, on the surface just before it, the merged vertex takes its
 /// attributes from: the nearest point of the faces around the edge. An attribute that is affine in
 /// position is so carried over the surface and not only along the edge. Where no attribute but the
-/// normal varies, the nearest point of the edge will do, and takes less memory. Where corners are
-/// told apart, the steps are those of the charts (mesh/edge_charts.h) and of wedges.
+/// normal varies, the nearest point of the edge will do, and takes less time and memory. Where
+/// corners are told apart, the steps are those of the charts (mesh/edge_charts.h) and of wedges.
 class BlendRecord : public CollapseObserver {
  public:
-  /// expected: collapses, to have room for; may be exceeded. by_wedge: corners are told apart; then
-  /// over the surface.
-  explicit BlendRecord(bool over_surface = true, std::size_t expected = 0, bool by_wedge = false)
-      : is_over_surface_(over_surface), by_wedge_(by_wedge) {
-    over_surface ? steps_.over_surface.reserve(expected) : steps_.on_edge.reserve(expected);
+  /// vary: attributes other than the normal do. expected: collapses, to have room for; may be
+  /// exceeded. by_wedge: corners are told apart.
+  explicit BlendRecord(bool vary = true, std::size_t expected = 0, bool by_wedge = false)
+      : is_nearest_(vary), is_over_surface_(vary || by_wedge), by_wedge_(by_wedge) {
+    is_over_surface_ ? steps_.over_surface.reserve(expected) : steps_.on_edge.reserve(expected);
   }
 
   /// The record of collapses that were done already.
   explicit BlendRecord(std::vector<BlendStep> steps) : steps_{std::move(steps), {}, {}} {}
 
+  /// Whether steps go to the nearest point of the faces around; otherwise of the edge.
+  bool is_nearest() const { return is_nearest_; }
+
+  /// Whether steps are noted as those over the surface are.
   bool is_over_surface() const { return is_over_surface_; }
 
   /// For the first collapses, which no mesh is at hand for: to be appended as is_over_surface()
@@ -72,7 +76,7 @@ class BlendRecord : public CollapseObserver {
 
   void before(const WorkingMesh& mesh, const EdgeNeighborhood& around, const EdgeCharts& charts,
               const VertexMerge& merge, int number) override {
-    for (int c = 0; c < charts.count(); ++c) note(charts.step(c), number);
+    for (int c = 0; c < charts.count(); ++c) note(charts.step(mesh, merge, c, is_nearest_), number);
     if (charts.count() > 0 || merge.now == merge.keep_was) return;
     const int keep = mesh.vertex_origin[merge.keep];
     if (!is_over_surface_) {
@@ -157,7 +161,7 @@ class BlendRecord : public CollapseObserver {
     return nearest.step();
   }
 
-  bool is_over_surface_ = true, by_wedge_ = false;
+  bool is_nearest_ = true, is_over_surface_ = true, by_wedge_ = false;
   BlendSteps steps_;  // by collapse
   std::vector<std::vector<BlendStep>>
       others_;  // by collapse after the first ones: beyond the first

@@ -14,9 +14,9 @@
 #include "vcg_ext/collapse/price_unit.h"
 #include "vcg_ext/collapse/topology_operator.h"
 #include "vcg_ext/collapse/vertex_pairs.h"
+#include "vcg_ext/guard/attribute_guard.h"
 #include "vcg_ext/guard/collapse_guards.h"
 #include "vcg_ext/guard/collapse_rule.h"
-#include "vcg_ext/guard/texture_guard.h"
 #include "vcg_ext/mesh/vertex_ring.h"
 #include "vcg_ext/metric/metric.h"
 
@@ -52,7 +52,7 @@ class CollapseOperator {
         classifier_(mesh.connectivity),
         observers_(std::move(observers)),
         topology_operator_(mesh, metric, guards_, observers_) {
-    if (!mesh.texture.empty()) texture_guard_.emplace(mesh, limits.attribute_weight);
+    if (mesh.weighs_attributes()) attribute_guard_.emplace(mesh, limits.attribute_weight);
     if (const ObstaclePrice* price = guards_.obstacle_price())
       observers_.push_back(&parts_.emplace(mesh, price_unit, *price));
   }
@@ -110,7 +110,7 @@ class CollapseOperator {
     return *std::min_element(scratch.options.begin(), scratch.options.end());
   }
 
-  /// The same by estimates, where the vertices' kinds leave the metric free.
+  /// The same by estimates, where edges may collapse to anywhere.
   EdgeChoice about_cheapest(int v, Scratch& scratch) const {
     if (is_hub(v) || !rule_.is_free(v) || !gather_free_neighbors(v, scratch.neighbors))
       return cheapest(v, scratch);
@@ -138,7 +138,7 @@ class CollapseOperator {
   GuardAnswer ask(Edge edge, const Candidate& candidate, Scratch& scratch) const {
     scratch.around.gather(mesh_.connectivity, edge);
     GuardAnswer answer = guards_.ask(scratch.around, candidate.position, scratch.after);
-    if (!answer.refusal && mesh_.wedges.exist()) ask_texture(edge, candidate, scratch, answer);
+    if (!answer.refusal && attribute_guard_) ask_attributes(edge, candidate, scratch, answer);
     if (answer.price > 0.0) answer.price = importance(edge) * price_unit_(answer.price);
     return answer;
   }
@@ -162,6 +162,7 @@ class CollapseOperator {
     const VertexMerge done = merge_of(around.edge(), candidate, mesh_.position);
     guards_.accept(around, error_bound);
     metric_.release(around, scratch.after);
+    if (mesh_.wedges.exist() && !attribute_guard_) scratch.charts.gather(mesh_, around, done);
     for (CollapseObserver* observer : observers_)
       observer->before(mesh_, around, scratch.charts, done, number);
     if (mesh_.wedges.exist()) merge_wedges(mesh_, around, scratch.charts);
@@ -214,12 +215,11 @@ class CollapseOperator {
            mesh_.connectivity.edge_valence(edge.a, edge.b) > most_faces_;
   }
 
-  /// The charts of the collapse, in the scratch, and what it does in the texture.
-  void ask_texture(Edge edge, const Candidate& candidate, Scratch& scratch,
-                   GuardAnswer& answer) const {
+  /// The charts of the collapse, in the scratch, and what it does to what they carry.
+  void ask_attributes(Edge edge, const Candidate& candidate, Scratch& scratch,
+                      GuardAnswer& answer) const {
     scratch.charts.gather(mesh_, scratch.around, merge_of(edge, candidate, mesh_.position));
-    if (!texture_guard_) return;
-    const auto price = texture_guard_->price(scratch.around, scratch.charts, candidate.position);
+    const auto price = attribute_guard_->price(scratch.around, scratch.charts);
     if (price)
       answer.price += *price;
     else
@@ -238,7 +238,7 @@ class CollapseOperator {
       const int u = mesh_.connectivity.next_vertex(f, v);
       if (u < v) continue;
       if (!rule_.is_free(u)) return false;
-      neighbors.push_back(u);
+      if (!rule_.pinches({v, u})) neighbors.push_back(u);
     }
     return true;
   }
@@ -287,7 +287,7 @@ class CollapseOperator {
   const PriceUnit price_unit_;
   const CollapseRule rule_;
   CollapseGuards guards_;
-  std::optional<TextureGuard> texture_guard_;  // where there is a texture
+  std::optional<AttributeGuard> attribute_guard_;  // where they count
   VertexPairs pairs_;
   VertexClassifier classifier_;  // where there are pairs
   CollapseObservers observers_;

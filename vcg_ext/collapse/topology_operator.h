@@ -134,8 +134,10 @@ class TopologyOperator {
   std::vector<Wedges::Parted> part_wedges(int v) {
     if (!mesh_.wedges.exist()) return {};
     std::vector<Wedges::Parted> parted = mesh_.wedges.part(mesh_.connectivity, v);
-    for (const auto [now, source] : parted)
+    for (const auto [now, source] : parted) {
       if (!mesh_.texture.empty()) mesh_.texture.push_back(mesh_.texture[source]);
+      if (!mesh_.color.empty()) mesh_.color.push_back(mesh_.color[source]);
+    }
     return parted;
   }
 

@@ -30,8 +30,15 @@ class CollapseRule {
         boundary_(limits.keeps_boundary),
         gives_way_(limits.topology_gives_way) {}
 
-  /// An edge between two such vertices may collapse to anywhere.
-  bool is_free(int v) const { return is_inside_chart(mesh_, v) && !mesh_.locked[v]; }
+  /// An edge between two such vertices may collapse to anywhere, unless it pinches a chart.
+  bool is_free(int v) const {
+    return mesh_.kind[v] == VertexKind::Interior && mesh_.locked[v] == 0;
+  }
+
+  /// Between two vertices on seams only a seam may collapse.
+  bool pinches(Edge edge) const {
+    return is_on_seam(mesh_, edge.a) && is_on_seam(mesh_, edge.b) && !is_seam_edge(mesh_, edge);
+  }
 
   /// Where the topology gives way, sheets that meet in an end may come apart first.
   std::optional<Allowed> operator()(Edge edge) const {
@@ -55,10 +62,6 @@ class CollapseRule {
   }
 
  private:
-  bool pinches(Edge edge) const {
-    return is_on_seam(mesh_, edge.a) && is_on_seam(mesh_, edge.b) && !is_seam_edge(mesh_, edge);
-  }
-
   bool stays(int v) const {
     return mesh_.locked[v] || (topology_ && mesh_.kind[v] == VertexKind::Junction);
   }

@@ -150,15 +150,16 @@ class VertexAttributes {
   MeshType& mesh_;
 };
 
-/// The wedge texture coordinates of a vcg face.
+/// The wedge texture coordinate of a corner of a vcg face.
+template <class FaceType>
+WedgeCoordinate wedge_of(const FaceType& face, int i) {
+  const auto& texture = face.cWT(i);
+  return {double(texture.u()), double(texture.v()), texture.n()};
+}
+
 template <class FaceType>
 FaceWedges wedges_of(const FaceType& face) {
-  FaceWedges wedges;
-  for (int i = 0; i < 3; ++i) {
-    const auto& texture = face.cWT(i);
-    wedges[i] = {double(texture.u()), double(texture.v()), texture.n()};
-  }
-  return wedges;
+  return {wedge_of(face, 0), wedge_of(face, 1), wedge_of(face, 2)};
 }
 
 /// The face keeps its texture page.

@@ -10,8 +10,10 @@
 #include "vcg_ext/attributes/carried.h"
 #include "vcg_ext/collapse/collapse_plan.h"
 #include "vcg_ext/host_mesh/attributes.h"
+#include "vcg_ext/host_mesh/read_colors.h"
 #include "vcg_ext/host_mesh/read_wedges.h"
 #include "vcg_ext/host_mesh/working_copy.h"
+#include "vcg_ext/mesh/attribute_scale.h"
 #include "vcg_ext/run/notes.h"
 #include "vcg_ext/run/plan_reading.h"
 
@@ -71,11 +73,14 @@ Carried read_carried(const MeshType& mesh, WorkingCopy& copy, const ReadingPlan&
   weigh_by_quality(mesh, reading.quality_weight, copy, report);
   note_repairs(copy.mesh, copy.unusable.size(), plan.limits.keeps_topology, report);
   Carried carried;
-  carried.copies_differ = read_wedges(mesh, copy, reading.keep_borders_of);
+  carried.copies_differ = read_wedges(mesh, copy, reading.keep_borders_of, parallel);
   find_seams(copy.mesh, parallel);
+  if (plan.limits.attribute_weight > 0.0) read_colors(mesh, copy, parallel);
+  copy.mesh.texture_scale2 = texture_scale2(copy.mesh, parallel);
+  copy.mesh.color_scale2 = color_scale2(copy.mesh, parallel);
   const bool by_wedge = copy.mesh.wedges.exist();
-  const bool over_surface = by_wedge || has_varying_attributes(mesh, copy.vertex_of, parallel);
-  carried.blended = BlendRecord(over_surface, expected_collapses(copy.mesh, plan.stop), by_wedge);
+  const bool vary = has_varying_attributes(mesh, copy.vertex_of, parallel);
+  carried.blended = BlendRecord(vary, expected_collapses(copy.mesh, plan.stop), by_wedge);
   note_borders(copy.borders_joined, carried.copies_differ, report);
   if (plan.pair_distance == 0.0) note_open_seams(copy.mesh, copy.vertex_of, report);
   if (!copy.mesh.texture.empty() && !copy.mesh.on_seam.empty()) note_seams(copy.mesh, report);
@@ -89,9 +94,10 @@ Carried read_carried(const MeshType& mesh, WorkingCopy& copy, const ReadingPlan&
                      const Parallel& parallel, DecimationReport& report) {
   weigh_by_quality(mesh, reading.quality_weight, copy, report);
   note_repairs(copy.mesh, copy.unusable.size(), true, report);
-  note_open_seams(copy.mesh, copy.vertex_of, report);
   Carried carried;
-  carried.copies_differ = read_wedges(mesh, copy, reading.keep_borders_of);
+  carried.copies_differ = read_wedges(mesh, copy, reading.keep_borders_of, parallel);
+  note_borders(copy.borders_joined, carried.copies_differ, report);
+  note_open_seams(copy.mesh, copy.vertex_of, report);
   note_faux_edges(mesh, parallel, report);
   return carried;
 }

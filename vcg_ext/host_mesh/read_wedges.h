@@ -3,6 +3,7 @@
 
 #include <vcg/complex/complex.h>
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -18,28 +19,30 @@ namespace curvdecim::detail {
 template <class MeshType>
 class WedgeReader {
  public:
-  WedgeReader(const MeshType& mesh, WorkingCopy& copy, const FaceGroups<MeshType>& groups)
+  WedgeReader(const MeshType& mesh, WorkingCopy& copy, const FaceGroups<MeshType>& groups,
+              const Parallel& parallel)
       : mesh_(mesh),
         copy_(copy),
         groups_(groups),
+        parallel_(parallel),
         has_texture_(vcg::tri::HasPerWedgeTexCoord(mesh)),
-        next_(copy.vertex_of.size(), Wedges::none),
-        corner_(copy.vertex_of.size()) {}
+        vertices_(static_cast<int>(copy.vertex_of.size())),
+        wedges_(copy.mesh.face_origin.size()),
+        others_(vertices_ + 1, 0) {}
 
   /// Gives the copy its wedges, if some vertex needs them or the faces have a texture. Returns
   /// whether wedges of a vertex differ in what the host's vertices carry.
   bool read() {
-    std::vector<Face> of_face(copy_.mesh.face_origin.size());
-    for (std::size_t f = 0; f < of_face.size(); ++f) {
-      for (int i = 0; i < 3; ++i)
-        of_face[f][i] = wedge_of(copy_.mesh.connectivity.face(static_cast<int>(f))[i],
-                                 corner_of(copy_.mesh.face_origin[f], i));
-    }
-    if (!has_texture_ && !differ_ && !groups_.exist()) return false;
-    copy_.mesh.wedges = Wedges(std::move(of_face), static_cast<int>(corner_.size()));
-    for (const Corner& corner : corner_)
-      if (has_texture_) copy_.mesh.texture.emplace_back(corner.at.u, corner.at.v);
-    return differ_;
+    for_each_vertex([&](int v, const std::vector<Corner>& wedges) {
+      others_[v + 1] = std::max(0, static_cast<int>(wedges.size()) - 1);
+    });
+    for (int v = 0; v < vertices_; ++v) others_[v + 1] += others_[v];
+    if (others_.back() == 0 && !has_texture_ && !groups_.exist()) return false;
+    copy_.vertex_of.resize(count());
+    if (has_texture_) copy_.mesh.texture.resize(count());
+    for_each_vertex([&](int v, const std::vector<Corner>& wedges) { number(v, wedges); });
+    copy_.mesh.wedges = Wedges(std::move(wedges_), count());
+    return differ();
   }
 
  private:
@@ -49,43 +52,75 @@ class WedgeReader {
     WedgeCoordinate at;
   };
 
-  Corner corner_of(int f, int i) const {
-    const auto& face = mesh_.face[f];
-    return {static_cast<int>(vcg::tri::Index(mesh_, face.cV(i))), f,
-            has_texture_ ? wedges_of(face)[i] : WedgeCoordinate()};
+  int count() const { return vertices_ + others_.back(); }
+
+  /// use(v, wedges), after the wedges of v are numbered from 0 in the faces around it.
+  template <class Use>
+  void for_each_vertex(Use use) {
+    parallel_.for_ranges(vertices_, [&](int begin, int end, int) {
+      std::vector<Corner> wedges;
+      for (int v = begin; v < end; ++v) {
+        tell_apart(v, wedges);
+        use(v, wedges);
+      }
+    });
   }
 
-  /// The wedge of v that carries what the corner does; a new one if there is none.
-  int wedge_of(int v, const Corner& corner) {
-    if (corner_[v].host == Wedges::none) return set_first(v, corner);
-    int same_host = Wedges::none;
-    for (int wedge = v;; wedge = next_[wedge]) {
-      if (are_one(copy_.vertex_of[wedge], corner.host)) {
-        if (same(corner_[wedge].at, corner.at) && groups_.are_one(corner_[wedge].face, corner.face))
-          return wedge;
-        same_host = wedge;
-      }
-      if (next_[wedge] == Wedges::none) return add(wedge, corner, same_host);
+  /// In the order in which they are met.
+  void tell_apart(int v, std::vector<Corner>& wedges) {
+    wedges.clear();
+    for (int f : copy_.mesh.connectivity.faces_of(v)) {
+      const int i = copy_.mesh.connectivity.corner(f, v);
+      Corner corner = corner_of(copy_.mesh.face_origin[f], i);
+      const auto known = std::find_if(wedges.begin(), wedges.end(),
+                                      [&](const Corner& other) { return are_one(corner, other); });
+      wedges_[f][i] = static_cast<int>(known - wedges.begin());
+      if (known != wedges.end()) continue;
+      corner.host = spokesman(v, corner.host, wedges);
+      wedges.push_back(corner);
     }
   }
 
-  int set_first(int v, const Corner& corner) {
-    corner_[v] = corner;
-    if (!are_one(copy_.vertex_of[v], corner.host)) copy_.vertex_of[v] = corner.host;
-    return v;
+  /// Of the host's vertices in one place, one stands for those that carry the same.
+  int spokesman(int v, int host, const std::vector<Corner>& wedges) const {
+    if (are_one_host(copy_.vertex_of[v], host)) return copy_.vertex_of[v];
+    for (const Corner& known : wedges)
+      if (are_one_host(known.host, host)) return known.host;
+    return host;
   }
 
-  /// After the last one of its vertex.
-  int add(int last, const Corner& corner, int same_host) {
-    const bool is_new_host = same_host == Wedges::none;
-    differ_ = differ_ || is_new_host;
-    next_[last] = static_cast<int>(corner_.size());
-    next_.push_back(Wedges::none), corner_.push_back(corner);
-    copy_.vertex_of.push_back(is_new_host ? corner.host : copy_.vertex_of[same_host]);
-    return next_[last];
+  /// Vertex v has wedge v; the others come after all vertices.
+  void number(int v, const std::vector<Corner>& wedges) {
+    const auto number_of = [&](int k) { return k == 0 ? v : vertices_ + others_[v] + k - 1; };
+    for (std::size_t k = 0; k < wedges.size(); ++k) {
+      const int wedge = number_of(static_cast<int>(k));
+      copy_.vertex_of[wedge] = wedges[k].host;
+      if (has_texture_) copy_.mesh.texture[wedge] = {wedges[k].at.u, wedges[k].at.v};
+    }
+    for (int f : copy_.mesh.connectivity.faces_of(v)) {
+      int& wedge = wedges_[f][copy_.mesh.connectivity.corner(f, v)];
+      wedge = number_of(wedge);
+    }
   }
 
-  bool are_one(int host, int other) const {
+  bool differ() const {
+    for (int v = 0; v < vertices_; ++v)
+      for (int other = others_[v]; other < others_[v + 1]; ++other)
+        if (copy_.vertex_of[vertices_ + other] != copy_.vertex_of[v]) return true;
+    return false;
+  }
+
+  Corner corner_of(int f, int i) const {
+    const auto& face = mesh_.face[f];
+    return {static_cast<int>(vcg::tri::Index(mesh_, face.cV(i))), f,
+            has_texture_ ? wedge_of(face, i) : WedgeCoordinate()};
+  }
+
+  bool are_one(const Corner& a, const Corner& b) const {
+    return are_one_host(a.host, b.host) && same(a.at, b.at) && groups_.are_one(a.face, b.face);
+  }
+
+  bool are_one_host(int host, int other) const {
     return host == other || carry_the_same(mesh_, host, other);
   }
 
@@ -98,20 +133,22 @@ class WedgeReader {
   const MeshType& mesh_;
   WorkingCopy& copy_;
   const FaceGroups<MeshType>& groups_;
+  const Parallel& parallel_;
   const bool has_texture_;
-  bool differ_ = false;
-  std::vector<int> next_;       // by wedge: another one of its vertex
-  std::vector<Corner> corner_;  // by wedge; the first ones are the vertices
+  const int vertices_;
+  std::vector<Face> wedges_;  // by face
+  std::vector<int> others_;   // by vertex: wedges beyond the first, of all before it
 };
 
 /// Tells corners apart where what they carry asks for it. Returns whether wedges of a vertex differ
 /// in what the host's vertices carry. Appends the wedges beyond the vertices to copy.vertex_of.
 template <class MeshType>
-bool read_wedges(const MeshType& mesh, WorkingCopy& copy, KeepBordersOf keep_borders_of) {
+bool read_wedges(const MeshType& mesh, WorkingCopy& copy, KeepBordersOf keep_borders_of,
+                 const Parallel& parallel) {
   const FaceGroups<MeshType> groups(mesh, keep_borders_of);
   if (copy.borders_joined == 0 && !vcg::tri::HasPerWedgeTexCoord(mesh) && !groups.exist())
     return false;
-  return WedgeReader<MeshType>(mesh, copy, groups).read();
+  return WedgeReader<MeshType>(mesh, copy, groups, parallel).read();
 }
 
 }  // namespace curvdecim::detail

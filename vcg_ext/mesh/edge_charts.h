@@ -15,9 +15,10 @@ namespace curvdecim::detail {
 /// The faces around an edge by chart: what they carry goes on inside one, by a wedge that they have
 /// in common at an end of the edge. When the edge collapses each chart goes on as one wedge, with
 /// what was carried at the chart's own point nearest to the merged vertex; along a seam with what
-/// was carried at the same place of the edge on both sides. So no chart tears, and no two mix. In
-/// the texture a chart stays inside of what it was there, so that nothing shows that is in no
-/// chart. Reused from edge to edge; empty where corners are not told apart.
+/// was carried at the same place of the edge on both sides. So no chart tears, and no two mix. The
+/// place in the texture and the colour, where these count, are those that deviate least from what
+/// the chart's faces say. In the texture a chart stays inside of what it was there, so that nothing
+/// shows that is in no chart. Reused from edge to edge; empty where corners are not told apart.
 class EdgeCharts {
  public:
   /// merge: as if the edge collapsed.
@@ -28,11 +29,11 @@ class EdgeCharts {
     for (const std::vector<int>* faces : {&around.wings(), &around.star()})
       for (int f : *faces) faces_.push_back({f, inside_ ? 0 : join(mesh, f, merge)});
     wings_ = around.wings().size();
-    for (int c = 0; c < count(); ++c)
-      if (!is_united(c)) charts_[c].step = step_of(mesh, merge, c);
     fit_texture_ = true;
-    for (int c = 0; c < count() && !mesh.texture.empty(); ++c)
-      if (!is_united(c)) place_in_texture(mesh, merge, c);
+    if (!mesh.weighs_attributes()) return;
+    for (ChartFace& each : faces_) estimate(mesh, merge.now, each);
+    for (int c = 0; c < count(); ++c)
+      if (!is_united(c)) place(mesh, merge, c);
   }
 
   int count() const { return static_cast<int>(charts_.size()); }
@@ -42,11 +43,18 @@ class EdgeCharts {
     return charts_[c].at_keep != Wedges::none ? charts_[c].at_keep : charts_[c].at_gone;
   }
 
-  /// How that wedge changes; of `none`: it stays.
-  const BlendStep& step(int c) const { return charts_[c].step; }
+  /// How that wedge changes in the merge that the charts were gathered for; of `none`: it stays, or
+  /// there is none. is_nearest: over the surface; otherwise on the edge.
+  BlendStep step(const WorkingMesh& mesh, const VertexMerge& merge, int c, bool is_nearest) const {
+    if (is_united(c) || stays(merge, c)) return {};
+    if (goes_along_seam(mesh, merge, c) || (!is_nearest && has_both(c)))
+      return step_on_edge(charts_[c].at_keep, charts_[c].at_gone, merge.t);
+    return is_nearest ? nearest_step(mesh, merge, c) : BlendStep();
+  }
 
-  /// Where it is in the texture then.
+  /// Where it is in the texture then, and the colour that it has.
   const Vector2& texture(int c) const { return charts_[c].texture; }
+  const Vector3& color(int c) const { return charts_[c].color; }
 
   /// False where a chart cannot stay inside of what it was in the texture.
   bool fit_texture() const { return fit_texture_; }
@@ -55,15 +63,29 @@ class EdgeCharts {
   int of_wing(std::size_t i) const { return faces_[i].chart; }
   int of_star(std::size_t i) const { return faces_[wings_ + i].chart; }
 
+  /// Sums of areas times squared distances in the texture, or of colours, to what each face says.
+  double texture_deviation() const {
+    double sum = 0.0;
+    for (const ChartFace& each : faces_) sum += each.texture.deviation(texture(each.chart));
+    return sum;
+  }
+  double color_deviation() const {
+    double sum = 0.0;
+    for (const ChartFace& each : faces_) sum += each.color.deviation(color(each.chart));
+    return sum;
+  }
+
  private:
   struct Chart {
     int at_keep = Wedges::none, at_gone = Wedges::none;
-    BlendStep step{};
     Vector2 texture = Vector2::Zero();
+    Vector3 color = Vector3::Zero();
   };
 
   struct ChartFace {
     int face, chart;
+    FaceEstimate<Vector2> texture{};  // of the merged vertex
+    FaceEstimate<Vector3> color{};
   };
 
   struct Corner {
@@ -116,24 +138,58 @@ class EdgeCharts {
     return a;
   }
 
-  BlendStep step_of(const WorkingMesh& mesh, const VertexMerge& merge, int c) const {
-    const auto [at_keep, at_gone, step, texture] = charts_[c];
-    if (at_keep != Wedges::none && merge.now == merge.keep_was) return {};
-    const bool has_both = at_keep != Wedges::none && at_gone != Wedges::none;
-    if (has_both && is_on_seam(mesh, merge.keep) && is_on_seam(mesh, merge.gone))
-      return step_on_edge(at_keep, at_gone, merge.t);
+  BlendStep nearest_step(const WorkingMesh& mesh, const VertexMerge& merge, int c) const {
     NearestStep nearest(merge.now, step_on_edge(wedge(c), wedge(c), 0.0));
-    for (const auto [f, chart] : faces_)
-      if (chart == c)
-        nearest.look_at(mesh.triangle(f), mesh.plane[f].normal, mesh.wedges.of_face(f));
+    for (const ChartFace& each : faces_)
+      if (each.chart == c)
+        nearest.look_at(mesh.triangle(each.face), mesh.plane[each.face].normal,
+                        mesh.wedges.of_face(each.face));
     return nearest.step();
   }
 
+  bool has_both(int c) const {
+    return charts_[c].at_keep != Wedges::none && charts_[c].at_gone != Wedges::none;
+  }
+
+  bool stays(const VertexMerge& merge, int c) const {
+    return charts_[c].at_keep != Wedges::none && merge.now == merge.keep_was;
+  }
+
+  bool goes_along_seam(const WorkingMesh& mesh, const VertexMerge& merge, int c) const {
+    return has_both(c) && is_on_seam(mesh, merge.keep) && is_on_seam(mesh, merge.gone);
+  }
+
+  static void estimate(const WorkingMesh& mesh, const Vector3& x, ChartFace& of) {
+    const PlanePoint at = plane_point(mesh.triangle(of.face), x);
+    if (!mesh.texture.empty()) of.texture = face_estimate(at, mesh.texture_triangle(of.face));
+    if (!mesh.color.empty()) of.color = face_estimate(at, mesh.color_triangle(of.face));
+  }
+
+  void place(const WorkingMesh& mesh, const VertexMerge& merge, int c) {
+    if (!mesh.texture.empty()) place_in_texture(mesh, merge, c);
+    if (!mesh.color.empty())
+      charts_[c].color = wanted(mesh, merge, c, mesh.color, &ChartFace::color);
+  }
+
+  /// What deviates least; along a seam what is there on the edge. carried: by wedge.
+  template <class Value>
+  Value wanted(const WorkingMesh& mesh, const VertexMerge& merge, int c,
+               const std::vector<Value>& carried, FaceEstimate<Value> ChartFace::*estimate) const {
+    const Value& is = carried[wedge(c)];
+    if (stays(merge, c)) return is;
+    if (goes_along_seam(mesh, merge, c)) return is + merge.t * (carried[charts_[c].at_gone] - is);
+    EstimateFit<Value> fit;
+    for (const ChartFace& each : faces_)
+      if (each.chart == c) {
+        const Face& corners = mesh.wedges.of_face(each.face);
+        fit.add(each.*estimate, {carried[corners[0]], carried[corners[1]], carried[corners[2]]});
+      }
+    return fit.value(is);
+  }
+
   void place_in_texture(const WorkingMesh& mesh, const VertexMerge& merge, int c) {
-    const BlendStep& step = charts_[c].step;
     Vector2& texture = charts_[c].texture;
-    texture = mesh.texture[wedge(c)];
-    if (step.keep != BlendStep::none) texture = blended(step, mesh.texture, texture);
+    texture = wanted(mesh, merge, c, mesh.texture, &ChartFace::texture);
     if (inside_ || !gather_outline(mesh, merge, c)) return;
     const std::optional<Vector2> place = outline_.nearest(texture);
     texture = place.value_or(texture);
@@ -144,12 +200,12 @@ class EdgeCharts {
   /// chart has no area in the texture.
   bool gather_outline(const WorkingMesh& mesh, const VertexMerge& merge, int c) {
     double area = 0.0;
-    for (const auto [f, chart] : faces_)
-      if (chart == c) area += texture_area(mesh.texture_triangle(f));
+    for (const ChartFace& each : faces_)
+      if (each.chart == c) area += texture_area(mesh.texture_triangle(each.face));
     outline_.clear(area > 0.0 ? 1.0 : -1.0);
     const auto is_at_one_end = [&](int a, int b) { return merge.has(a) != merge.has(b); };
-    for (const auto [f, chart] : faces_)
-      if (chart == c) add_outline_edges(mesh, f, is_at_one_end, outline_);
+    for (const ChartFace& each : faces_)
+      if (each.chart == c) add_outline_edges(mesh, each.face, is_at_one_end, outline_);
     return area != 0.0;
   }
 
@@ -165,8 +221,11 @@ class EdgeCharts {
 /// Before the connectivity follows: what the edge's ends carry becomes one.
 inline void merge_wedges(WorkingMesh& mesh, const EdgeNeighborhood& around,
                          const EdgeCharts& charts) {
-  for (int c = 0; c < charts.count() && !mesh.texture.empty(); ++c)
-    if (charts.wedge(c) != Wedges::none) mesh.texture[charts.wedge(c)] = charts.texture(c);
+  for (int c = 0; c < charts.count(); ++c) {
+    if (charts.wedge(c) == Wedges::none) continue;
+    if (!mesh.texture.empty()) mesh.texture[charts.wedge(c)] = charts.texture(c);
+    if (!mesh.color.empty()) mesh.color[charts.wedge(c)] = charts.color(c);
+  }
   const auto [a, b] = around.edge();
   for (std::size_t i = 0; i < around.star().size(); ++i) {
     const int f = around.star()[i];

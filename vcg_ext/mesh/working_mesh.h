@@ -29,6 +29,9 @@ struct WorkingMesh {
   Wedges wedges;                      // where corners at a vertex are to be told apart
   std::vector<std::uint8_t> on_seam;  // by vertex: 1 if it is an end of a seam edge; empty: no seam
   std::vector<Vector2> texture;       // by wedge: its coordinates; empty: there are none
+  std::vector<Vector3> color;         // by wedge, 0..1 a channel; empty: they do not count
+  double texture_scale2 = 0.0;        // squared: lengths on the input over those in its texture
+  double color_scale2 = 0.0;          // the same of colours: mesh/attribute_scale.h
   std::vector<int> vertex_origin;     // by vertex: its number at the start, or a later one
   std::vector<int> face_origin;  // by face: its number in the mesh it was taken from, or a later
   MergeRecord merges;            // by the numbers of vertex_origin
@@ -45,6 +48,15 @@ struct WorkingMesh {
     const Face& of_face = wedges.of_face(f);
     return {texture[of_face[0]], texture[of_face[1]], texture[of_face[2]]};
   }
+
+  /// There are colours.
+  AtCorners<Vector3> color_triangle(int f) const {
+    const Face& of_face = wedges.of_face(f);
+    return {color[of_face[0]], color[of_face[1]], color[of_face[2]]};
+  }
+
+  /// Beside their error, what corners carry counts.
+  bool weighs_attributes() const { return !texture.empty() || !color.empty(); }
 
   void note_merge(int gone, int keep) { merges.note(vertex_origin[gone], vertex_origin[keep]); }
 

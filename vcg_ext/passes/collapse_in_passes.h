@@ -8,7 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "vcg_ext/guard/texture_guard.h"
 #include "vcg_ext/mesh/seams.h"
 #include "vcg_ext/mesh/working_mesh.h"
 #include "vcg_ext/passes/pass_schedule.h"
@@ -48,8 +47,10 @@ std::optional<PassSurface> split(WorkingMesh& mesh, MetricType& metric, double a
     surface.held[v] = !is_closed_fan(mesh, v) || mesh.locked[v] || is_on_seam(mesh, v);
   });
   if (!surface.is_mostly_free()) return std::nullopt;
-  surface.texture_weight = texture_weight(mesh, attribute_weight);
+  surface.texture_weight = attribute_weight * mesh.texture_scale2;
+  surface.color_weight = attribute_weight * mesh.color_scale2;
   surface.texture = std::exchange(mesh.texture, {});
+  surface.color = std::exchange(mesh.color, {});
   surface.memory = metric.remember(parallel);  // with planes and lists, which can go then
   surface.weight = metric.take_weights(parallel);
   Array<FacePlane>().swap(mesh.plane);
@@ -77,6 +78,7 @@ template <class MetricType>
 void join(PassSurface surface, WorkingMesh& mesh, MetricType& metric, const Parallel& parallel) {
   mesh.wedges.reset(wedges_of(surface, parallel));
   mesh.texture = std::move(surface.texture);
+  mesh.color = std::move(surface.color);
   surface.position.shrink_to_fit(), surface.faces.shrink_to_fit();
   mesh.position = std::move(surface.position);
   mesh.importance.assign(surface.importance.begin(), surface.importance.end());
@@ -120,7 +122,7 @@ int collapse_in_passes(PassSurface surface, WorkingMesh& mesh, MetricType& metri
   } else {
     {
       PassSchedule passes(surface, metric, plan, parallel);
-      passes.run(record.is_over_surface(), record.first_steps());
+      passes.run(record);
       tally.count_step(passes.largest_cost(), 0.0);
     }
     join(std::move(surface), mesh, metric, parallel);

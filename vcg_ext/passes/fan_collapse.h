@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "vcg_ext/attributes/attribute_blend.h"
@@ -54,25 +55,72 @@ class FanCollapse {
     return nearest.step();
   }
 
-  /// What it costs in the texture that the ends of that edge go to x and `is`; nullopt: a face
-  /// would be turned over there.
-  std::optional<double> texture_price(const Vector3& x, const Vector2& is) const {
-    double sum = 0.0;
-    for (const FanCorners* fan : {&a_, &b_})
-      for (int i = fan == &a_ ? 0 : FanCorners::wings; i < fan->size(); ++i) {
-        const Face face = face_of(*fan, i);
-        TextureTriangle texture;
-        for (int k = 0; k < 3; ++k) texture[k] = surface_.texture_at(fan->face(i), face[k]);
-        sum += texture_deviation(triangle_of(surface_.position, face), texture, x, is);
-        const double before = texture_area(texture);
-        texture[0] = is;
-        if (i >= FanCorners::wings && is_turned_over(before, texture_area(texture)))
-          return std::nullopt;
-      }
-    return surface_.texture_weight * sum;
+  /// What a merged vertex carries, and what that costs.
+  struct Carrying {
+    Vector2 texture = Vector2::Zero();
+    Vector3 color = Vector3::Zero();
+    double price = 0.0;
+  };
+
+  /// What deviates least for the ends of that edge, which go to x; nullopt: a face would be turned
+  /// over in the texture.
+  std::optional<Carrying> look_at_attributes(const Vector3& x) {
+    points_.clear();
+    for_each_face([&](const FanCorners& fan, int i) {
+      points_.push_back(plane_point(triangle_of(surface_.position, face_of(fan, i)), x));
+    });
+    Carrying carrying;
+    if (!surface_.texture.empty()) {
+      const auto [texture, deviation] = least_deviation(surface_.texture, textures_);
+      if (turns_over(texture)) return std::nullopt;
+      carrying.texture = texture, carrying.price += surface_.texture_weight * deviation;
+    }
+    if (!surface_.color.empty()) {
+      const auto [color, deviation] = least_deviation(surface_.color, colors_);
+      carrying.color = color, carrying.price += surface_.color_weight * deviation;
+    }
+    return carrying;
   }
 
  private:
+  /// use(fan, i): the edge's own faces come first.
+  template <class Use>
+  void for_each_face(Use use) const {
+    for (int i = 0; i < a_.size(); ++i) use(a_, i);
+    for (int i = FanCorners::wings; i < b_.size(); ++i) use(b_, i);
+  }
+
+  /// The value for the points, and how it deviates. carried: by carrier; leaves in at_faces what is
+  /// carried at each face.
+  template <class Value>
+  std::pair<Value, double> least_deviation(const std::vector<Value>& carried,
+                                           std::vector<AtCorners<Value>>& at_faces) const {
+    at_faces.clear();
+    EstimateFit<Value> fit;
+    for_each_face([&](const FanCorners& fan, int i) {
+      const Face face = face_of(fan, i);
+      AtCorners<Value> at_face;
+      for (int k = 0; k < 3; ++k) at_face[k] = carried[surface_.carrier(fan.face(i), face[k])];
+      fit.add(face_estimate(points_[at_faces.size()], at_face), at_face);
+      at_faces.push_back(at_face);
+    });
+    const Value value = fit.value(at_faces[0][0]);
+    double deviation = 0.0;
+    for (std::size_t i = 0; i < at_faces.size(); ++i)
+      deviation += face_estimate(points_[i], at_faces[i]).deviation(value);
+    return {value, deviation};
+  }
+
+  /// Whether the center at this place turns over one of the faces that are left.
+  bool turns_over(const Vector2& place) const {
+    for (std::size_t i = FanCorners::wings; i < textures_.size(); ++i) {
+      TextureTriangle now = textures_[i];
+      now[0] = place;
+      if (is_turned_over(texture_area(textures_[i]), texture_area(now))) return true;
+    }
+    return false;
+  }
+
   static Face face_of(const FanCorners& fan, int i) {
     return {fan.center(), fan.next(i), fan.last(i)};
   }
@@ -126,6 +174,10 @@ class FanCollapse {
   const FanLists& fans_;
   const float least_cosine_;
   FanCorners a_, b_;
+  // Of the faces around, their center first.
+  std::vector<PlanePoint> points_;
+  std::vector<TextureTriangle> textures_;
+  std::vector<AtCorners<Vector3>> colors_;
 };
 
 }  // namespace curvdecim::detail

@@ -26,13 +26,13 @@ template <class MetricType>
 class PassCollapses {
  public:
   PassCollapses(PassSurface& surface, const FanLists& fans, const PassRanks& ranks,
-                const MetricType& metric, const FaceLimits& limits, bool over_surface)
+                const MetricType& metric, const FaceLimits& limits, const BlendRecord& record)
       : surface_(surface),
         fans_(fans),
         ranks_(ranks),
         metric_(metric),
         limits_(limits),
-        over_surface_(over_surface),
+        record_(record),
         into_(surface.vertex_count()),
         merged_(surface.vertex_count(), 0) {
     std::iota(into_.begin(), into_.end(), 0);
@@ -128,28 +128,25 @@ class PassCollapses {
     const auto candidate = collapse.look(v, u, into_, limit);
     if (!candidate) return false;
     const VertexMerge done = merge_of({v, u}, *candidate, surface_.position);
-    const BlendStep step =
-        over_surface_ ? collapse.nearest_step(done.now, along(done)) : BlendStep();
-    if (!surface_.texture.empty() && !suits_texture(done, step, limit - candidate->cost, collapse))
+    if (surface_.weighs_attributes() && !suits_attributes(done, limit - candidate->cost, collapse))
       return false;
-    merge(done, step, steps);
+    if (done.now != done.keep_was) note(done, collapse, steps);
+    merge(done);
     largest_cost = std::max(largest_cost, candidate->cost);
     return true;
   }
 
-  /// May the merge be done at a price of no more than `most`? Then it is, in the texture.
-  bool suits_texture(const VertexMerge& merge, const BlendStep& step, double most,
-                     const FanCollapse& collapse) {
-    Vector2& texture = surface_.texture[surface_.vertex_before[merge.keep]];
-    const Vector2 now =
-        merge.now == merge.keep_was ? texture : blended(step, surface_.texture, texture);
-    const std::optional<double> price = collapse.texture_price(merge.now, now);
-    if (!price || *price * surface_.importance_of(merge.keep, merge.gone) > most) return false;
-    texture = now;
+  /// May the merge be done at a price of no more than `most`? Then it is, in what is carried.
+  bool suits_attributes(const VertexMerge& merge, double most, FanCollapse& collapse) {
+    const auto now = collapse.look_at_attributes(merge.now);
+    if (!now || now->price * surface_.importance_of(merge.keep, merge.gone) > most) return false;
+    const int carrier = surface_.vertex_before[merge.keep];
+    if (!surface_.texture.empty()) surface_.texture[carrier] = now->texture;
+    if (!surface_.color.empty()) surface_.color[carrier] = now->color;
     return true;
   }
 
-  void merge(const VertexMerge& merge, const BlendStep& step, BlendSteps& steps) {
+  void merge(const VertexMerge& merge) {
     const auto [keep, gone, keep_was, gone_was, now, t] = merge;
     surface_.memory[keep] =
         SmallQuadric(surface_.memory[keep].quadric().with_origin_moved(now - keep_was) +
@@ -158,7 +155,6 @@ class PassCollapses {
     if (!surface_.importance.empty())
       surface_.importance[keep] +=
           static_cast<float>(t) * (surface_.importance[gone] - surface_.importance[keep]);
-    if (now != keep_was) note(merge, step, steps);
     surface_.position[keep] = now;
     surface_.merges.note(surface_.vertex_before[gone], surface_.vertex_before[keep]);
     into_[gone] = keep;
@@ -170,11 +166,13 @@ class PassCollapses {
     return {surface_.vertex_before[merge.keep], surface_.vertex_before[merge.gone], float(merge.t)};
   }
 
-  void note(const VertexMerge& merge, const BlendStep& step, BlendSteps& steps) const {
-    if (over_surface_)
-      steps.over_surface.push_back(step);
-    else
-      steps.on_edge.push_back(along(merge));
+  /// As the record asks for it.
+  void note(const VertexMerge& merge, const FanCollapse& collapse, BlendSteps& steps) const {
+    const EdgeStep on_edge = along(merge);
+    if (!record_.is_over_surface()) return steps.on_edge.push_back(on_edge);
+    steps.over_surface.push_back(record_.is_nearest()
+                                     ? collapse.nearest_step(merge.now, on_edge)
+                                     : step_on_edge(on_edge.keep, on_edge.gone, on_edge.t));
   }
 
   PassSurface& surface_;
@@ -182,7 +180,7 @@ class PassCollapses {
   const PassRanks& ranks_;
   const MetricType& metric_;
   const FaceLimits& limits_;
-  const bool over_surface_;           // that the steps go
+  const BlendRecord& record_;
   std::vector<int> into_;             // by vertex
   std::vector<std::uint8_t> merged_;  // by vertex: 1 if it is part of a collapse of this pass
   double largest_cost_ = 0.0;

@@ -29,15 +29,14 @@ class PassSchedule {
                const Parallel& parallel)
       : surface_(surface), metric_(metric), plan_(plan), parallel_(parallel) {}
 
-  /// steps: over the surface, or along the edges. Throws CancelRequest.
-  void run(bool over_surface, BlendSteps& steps) {
+  /// record: gets the steps. Throws CancelRequest.
+  void run(BlendRecord& record) {
     bool worth_while = true;
     while (worth_while && faces_to_go() > 0 && surface_.is_mostly_free()) {
       const int before = surface_.face_count();
       const int expected = std::min(faces_to_go(), static_cast<int>(usual_share * before));
       parallel_.progress().along(plan_.stop.progress(before),
-                                 plan_.stop.progress(before - expected),
-                                 [&] { pass(over_surface, steps); });
+                                 plan_.stop.progress(before - expected), [&] { pass(record); });
       worth_while = before - surface_.face_count() > least_share * before;
     }
   }
@@ -52,7 +51,7 @@ class PassSchedule {
 
   int faces_to_go() const { return surface_.face_count() - plan_.schedule.passes_goal; }
 
-  void pass(bool over_surface, BlendSteps& steps) {
+  void pass(BlendRecord& record) {
     ProgressMeter& progress = parallel_.progress();  // parts of the time of a pass
     progress.along(0.0, 0.25, [&] {
       const auto is_free = [&](int v) { return surface_.held[v] == 0; };
@@ -63,11 +62,11 @@ class PassSchedule {
       const int needed = (faces_to_go() + 1) / 2;  // each takes two faces
       const bool is_last = faces_to_go() <= usual_share * surface_.face_count();
       const float limit = ranks_.choose(is_last ? surface_.vertex_count() : needed, share);
-      PassCollapses collapses(surface_, fans_, ranks_, metric_, plan_.limits.faces, over_surface);
+      PassCollapses collapses(surface_, fans_, ranks_, metric_, plan_.limits.faces, record);
       if (is_last)
-        collapses.run_in_order(needed, limit, parallel_, steps);
+        collapses.run_in_order(needed, limit, parallel_, record.first_steps());
       else
-        collapses.run(limit, parallel_, steps);
+        collapses.run(limit, parallel_, record.first_steps());
       largest_cost_ = collapses.largest_cost();
       surface_.close_gaps(collapses.into(), parallel_);
     });

@@ -45,7 +45,8 @@ struct PassSurface {
   std::vector<Face> wedges;          // by face: of the corners that are held; empty: not told apart
   std::vector<int> face_origin;      // by face: as a WorkingMesh has it
   std::vector<Vector2> texture;      // by carrier; empty: there is none
-  double texture_weight = 0.0;       // guard/texture_guard.h
+  std::vector<Vector3> color;        // by carrier; empty: they do not count
+  double texture_weight = 0.0, color_weight = 0.0;  // guard/attribute_guard.h
 
   /// Times the length of a double area vector and the factors of a face's three corners: the weight
   /// of its plane.
@@ -69,7 +70,7 @@ struct PassSurface {
     return wedges[f][face[0] == v ? 0 : face[1] == v ? 1 : 2];
   }
 
-  Vector2 texture_at(int f, int v) const { return texture[carrier(f, v)]; }
+  bool weighs_attributes() const { return !texture.empty() || !color.empty(); }
 
   /// On the cost of the edge ab.
   float importance_of(int a, int b) const {

@@ -34,7 +34,7 @@ inline ReadingPlan plan_reading(const EdgeCollapseParams& params) {
 /// Topology is kept always.
 inline ReadingPlan plan_reading(const VertexRemovalParams& params) {
   ReadingPlan plan = plan_reading(static_cast<const DecimationParams&>(params));
-  plan.joins_borders = false, plan.sheets = Sheets::StayTogether;
+  plan.sheets = Sheets::StayTogether;
   return plan;
 }
 
