@@ -11,6 +11,7 @@
 
 #include "support/decimation.h"
 #include "support/drawn_meshes.h"
+#include "support/expectations.h"
 #include "support/mesh_types.h"
 #include "support/removal.h"
 
@@ -187,26 +188,20 @@ void fill_in_pieces(RichMesh& mesh, int subdivisions) {
     }
 }
 
-bool is_told(const DecimationReport& report, const std::string& words) {
-  return std::any_of(report.notes.begin(), report.notes.end(), [&](const std::string& note) {
-    return note.find(words) != std::string::npos;
-  });
-}
-
 TEST(TextureInPieces, IsToldWithNumbersAndAWayOut) {
   RichMesh mesh;
   fill_in_pieces(mesh, 2);
   const DecimationReport report = decimate(mesh, to_faces(100));
-  EXPECT_TRUE(is_told(report, "in 320 charts of 1 faces in the mean, and 100 % of the vertices"));
-  EXPECT_TRUE(is_told(report, "'Transfer: Vertex Attributes to Texture (1 or 2 meshes)'"));
+  EXPECT_TRUE(is_said(report, "in 320 charts of 1 faces in the mean, and 100 % of the vertices"));
+  EXPECT_TRUE(is_said(report, "'Transfer: Vertex Attributes to Texture (1 or 2 meshes)'"));
 }
 
 TEST(TextureInPieces, IsNotToldOfLargeCharts) {
   RichMesh mesh;
   fill_cube_map(mesh, 4);
   const DecimationReport report = decimate(mesh, to_faces(500));
-  EXPECT_FALSE(is_told(report, "in the mean"));
-  EXPECT_TRUE(is_told(report, "The texture has seams."));
+  EXPECT_FALSE(is_said(report, "in the mean"));
+  EXPECT_TRUE(is_said(report, "The texture has seams."));
 }
 
 TEST(TextureInPieces, IsNamedAsAReasonWhyVerticesAreNotRemoved) {
@@ -214,7 +209,7 @@ TEST(TextureInPieces, IsNamedAsAReasonWhyVerticesAreNotRemoved) {
   fill_in_pieces(mesh, 2);
   const DecimationReport report = remove(mesh, removal_to(4));
   ASSERT_EQ(report.stopped_by, StopReason::NothingLeft);
-  EXPECT_TRUE(is_told(report, "because of seams there, of a texture or between groups of faces"));
+  EXPECT_TRUE(is_said(report, "because of seams there, of a texture or between groups of faces"));
 }
 
 }  // namespace
