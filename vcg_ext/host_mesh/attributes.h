@@ -82,11 +82,7 @@ class VertexAttributes {
           const auto& c = mesh_.vert[v].cC();
           return Eigen::Vector4d(c[0], c[1], c[2], c[3]);
         },
-        [this](int v, const auto& c) {
-          for (int k = 0; k < 4; ++k)
-            mesh_.vert[v].C()[k] =
-                static_cast<unsigned char>(std::lround(std::clamp(c[k], 0.0, 255.0)));
-        });
+        [this](int v, const auto& c) { set_color(mesh_.vert[v].C(), c); });
   }
 
   template <class Use>
@@ -127,9 +123,19 @@ class VertexAttributes {
     const int lasting = lasting_bits<typename MeshType::VertexType>();
     use([this, lasting](int v) { return Label<int>{mesh_.vert[v].cFlags() & lasting}; },
         [this, lasting](int v, const auto& bits) {
-          int& flags = mesh_.vert[v].Flags();
-          flags = (flags & ~lasting) | bits.value;
+          set_bits(mesh_.vert[v].Flags(), lasting, bits.value);
         });
+  }
+
+  template <class Color>
+  static void set_color(Color& color, const Eigen::Vector4d& c) {
+    for (int k = 0; k < 4; ++k)
+      color[k] = static_cast<unsigned char>(std::lround(std::clamp(c[k], 0.0, 255.0)));
+  }
+
+  template <class Flags>
+  static void set_bits(Flags& flags, int which, int bits) {
+    flags = (flags & ~which) | bits;
   }
 
   template <class Vertex>

@@ -36,17 +36,17 @@ struct CustomValue<float> : CustomNumber<float> {};
 template <>
 struct CustomValue<double> : CustomNumber<double> {};
 
-template <class Point, int size>
+template <class Point, int Size>
 struct CustomPoint {
-  using Blended = Eigen::Matrix<double, size, 1>;
+  using Blended = Eigen::Matrix<double, Size, 1>;
   static Blended read(const Point& value) {
     Blended blended;
-    for (int k = 0; k < size; ++k) blended[k] = static_cast<double>(value[k]);
+    for (int k = 0; k < Size; ++k) blended[k] = static_cast<double>(value[k]);
     return blended;
   }
   static Point write(const Blended& blended) {
     Point value;
-    for (int k = 0; k < size; ++k) value[k] = static_cast<decltype(value[k] + 0)>(blended[k]);
+    for (int k = 0; k < Size; ++k) value[k] = static_cast<decltype(value[k] + 0)>(blended[k]);
     return value;
   }
 };
