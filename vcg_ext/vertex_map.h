@@ -6,7 +6,7 @@
 namespace curvdecim {
 
 /// The custom attribute of a vertex of the result, of the mesh's ScalarType: the index of the
-/// nearest vertex of the input, the lowest of several in one place.
+/// nearest vertex of the input, always the same one of several in one place.
 inline constexpr const char* nearest_input_vertex = "nearest_input_vertex";
 
 /// The custom attribute of the mesh, a std::vector<int>: for each vertex of the input the index of

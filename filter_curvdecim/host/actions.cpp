@@ -45,7 +45,8 @@ bool has_polygons(const CMeshO& mesh) {
 void refresh(MeshModel& mesh, const Changes& changed) {
   if (changed.shape) {
     mesh.clearDataMask(MeshModel::MM_FACEFACETOPO | MeshModel::MM_VERTFACETOPO);
-    if (!has_polygons(mesh.cm)) mesh.clearDataMask(MeshModel::MM_POLYGONAL);
+    if (mesh.hasDataMask(MeshModel::MM_POLYGONAL) && !has_polygons(mesh.cm))
+      mesh.clearDataMask(MeshModel::MM_POLYGONAL);
     mesh.cm.sfn = count_selected(mesh.cm.face);
     mesh.cm.svn = count_selected(mesh.cm.vert);
   }

@@ -17,7 +17,7 @@ bool is_map_wanted(const std::vector<Parameter>& parameters, const std::vector<V
   return false;
 }
 
-/// Of a layer that has none of its own.
+/// Gives a new layer these vertices, and where each of them went.
 void fill(MeshModel& layer, const std::vector<CMeshO::CoordType>& points,
           const std::vector<int>& goes_to) {
   CMeshO& cm = layer.cm;

@@ -78,7 +78,7 @@ class KeepBorders : public testing::TestWithParam<Decimate> {
   }
 
  private:
-  /// Of the edges between a marked face and another one.
+  /// Sums up the edges between a marked face and another one.
   static double border_length(const CustomMesh& mesh) {
     double sum = 0.0;
     for (const RichFace& f : mesh.face)

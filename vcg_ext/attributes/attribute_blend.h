@@ -49,8 +49,8 @@ class BlendRecord : public CollapseObserver {
   /// vary: attributes other than the normal do. expected: collapses, to have room for; may be
   /// exceeded. by_wedge: corners are told apart.
   explicit BlendRecord(bool vary = true, std::size_t expected = 0, bool by_wedge = false)
-      : is_nearest_(vary), is_over_surface_(vary || by_wedge), by_wedge_(by_wedge) {
-    is_over_surface_ ? steps_.over_surface.reserve(expected) : steps_.on_edge.reserve(expected);
+      : is_nearest_(vary), by_wedge_(by_wedge) {
+    is_over_surface() ? steps_.over_surface.reserve(expected) : steps_.on_edge.reserve(expected);
   }
 
   /// The record of collapses that were done already.
@@ -60,7 +60,7 @@ class BlendRecord : public CollapseObserver {
   bool is_nearest() const { return is_nearest_; }
 
   /// Whether steps are noted as those over the surface are.
-  bool is_over_surface() const { return is_over_surface_; }
+  bool is_over_surface() const { return is_nearest_ || by_wedge_; }
 
   /// For the first collapses, which no mesh is at hand for: to be appended as is_over_surface()
   /// says.
@@ -71,7 +71,7 @@ class BlendRecord : public CollapseObserver {
       if (others_.empty()) before_others_ = steps_.count();
       others_.resize(count - before_others_);
     }
-    is_over_surface_ ? steps_.over_surface.resize(count) : steps_.on_edge.resize(count);
+    is_over_surface() ? steps_.over_surface.resize(count) : steps_.on_edge.resize(count);
   }
 
   void before(const WorkingMesh& mesh, const EdgeNeighborhood& around, const EdgeCharts& charts,
@@ -79,7 +79,7 @@ class BlendRecord : public CollapseObserver {
     for (int c = 0; c < charts.count(); ++c) note(charts.step(mesh, merge, c, is_nearest_), number);
     if (charts.count() > 0 || merge.now == merge.keep_was) return;
     const int keep = mesh.vertex_origin[merge.keep];
-    if (!is_over_surface_) {
+    if (!is_over_surface()) {
       steps_.on_edge[number] = {keep, mesh.vertex_origin[merge.gone], float(merge.t)};
       return;
     }
@@ -94,7 +94,7 @@ class BlendRecord : public CollapseObserver {
     for (const auto [now, was] : wedges) note(step_on_edge(now, was, 1.0), number);
     if (!wedges.empty()) return;
     const int to = mesh.vertex_origin[v], from = mesh.vertex_origin[source];
-    if (is_over_surface_)
+    if (is_over_surface())
       steps_.over_surface[number] = step_on_edge(to, from, 1.0);
     else
       steps_.on_edge[number] = {to, from, 1.0f};
@@ -144,7 +144,7 @@ class BlendRecord : public CollapseObserver {
   template <class Use>
   void replay(int begin, int end, Use& use) const {
     for (int i = begin; i < end; ++i)
-      if (is_over_surface_) {
+      if (is_over_surface()) {
         if (steps_.over_surface[i].keep != BlendStep::none) use(steps_.over_surface[i]);
         replay_others(i, use);
       } else if (const auto [keep, gone, t] = steps_.on_edge[i]; keep != BlendStep::none) {
@@ -161,7 +161,7 @@ class BlendRecord : public CollapseObserver {
     return nearest.step();
   }
 
-  bool is_nearest_ = true, is_over_surface_ = true, by_wedge_ = false;
+  bool is_nearest_ = true, by_wedge_ = false;
   BlendSteps steps_;  // by collapse
   std::vector<std::vector<BlendStep>>
       others_;  // by collapse after the first ones: beyond the first

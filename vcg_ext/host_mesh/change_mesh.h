@@ -27,11 +27,12 @@ void connect_face(MeshType& mesh, int f,
 }
 
 /// Marks of edges inside polygons (faux edges) mean nothing once a polygon is cut: what could
-/// change has none afterwards, so that it is of triangles.
+/// change has none afterwards, so that it is of triangles. mesh: compact, so that only what is left
+/// is looked at.
 template <class MeshType>
 void drop_polygons(MeshType& mesh, bool selected_only) {
   for (auto& face : mesh.face)
-    if (!face.IsD() && (!selected_only || face.IsS())) face.ClearAllF();
+    if (!selected_only || face.IsS()) face.ClearAllF();
 }
 
 /// Compaction follows these pointers; after a change of the faces they lead nowhere.

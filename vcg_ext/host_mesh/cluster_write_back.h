@@ -55,9 +55,9 @@ class ClusterWriteBack {
     connect_faces(carried.wedges);
     move_vertices();
     delete_vertices();
-    drop_polygons(mesh_, !flat_.staying.empty());
     if (input) write_map(*input);
     compact_mesh(mesh_);
+    drop_polygons(mesh_, !flat_.staying.empty());
   }
 
  private:

@@ -12,21 +12,13 @@ namespace curvdecim::detail {
 template <class MeshType>
 class FaceGroups {
  public:
-  FaceGroups(const MeshType& mesh, KeepBordersOf by) : mesh_(mesh), by_(by) {}
+  /// Where the mesh lacks what tells them apart, all faces are one group.
+  FaceGroups(const MeshType& mesh, KeepBordersOf by)
+      : mesh_(mesh), by_(is_there(by) ? by : KeepBordersOf::Nothing) {}
 
-  /// Whether the mesh has what tells them apart.
-  bool exist() const {
-    switch (by_) {
-      case KeepBordersOf::Nothing: return false;
-      case KeepBordersOf::FaceColor: return vcg::tri::HasPerFaceColor(mesh_);
-      case KeepBordersOf::FaceQuality: return vcg::tri::HasPerFaceQuality(mesh_);
-      case KeepBordersOf::FaceAttributes: return !mesh_.face_attr.empty();
-    }
-    return false;
-  }
+  bool exist() const { return by_ != KeepBordersOf::Nothing; }
 
   bool are_one(int f, int g) const {
-    if (f == g || !exist()) return true;
     switch (by_) {
       case KeepBordersOf::Nothing: return true;
       case KeepBordersOf::FaceColor: return mesh_.face[f].cC() == mesh_.face[g].cC();
@@ -37,6 +29,16 @@ class FaceGroups {
   }
 
  private:
+  bool is_there(KeepBordersOf by) const {
+    switch (by) {
+      case KeepBordersOf::Nothing: return false;
+      case KeepBordersOf::FaceColor: return vcg::tri::HasPerFaceColor(mesh_);
+      case KeepBordersOf::FaceQuality: return vcg::tri::HasPerFaceQuality(mesh_);
+      case KeepBordersOf::FaceAttributes: return !mesh_.face_attr.empty();
+    }
+    return false;
+  }
+
   const MeshType& mesh_;
   const KeepBordersOf by_;
 };

@@ -81,7 +81,7 @@ class WedgeReader {
     }
   }
 
-  /// Of the host's vertices in one place, one stands for those that carry the same.
+  /// The vertex of the host that stands for those in one place that carry the same.
   int spokesman(int v, int host, const std::vector<Corner>& wedges) const {
     if (are_one_host(copy_.vertex_of[v], host)) return copy_.vertex_of[v];
     for (const Corner& known : wedges)

@@ -49,9 +49,9 @@ class WriteBack {
     move_vertices();
     connect_faces();
     delete_vertices();
-    drop_polygons(mesh_, copy_.selected_only);
     if (traced) traced->write(mesh_, copy_.mesh.merges, places(), parallel_);
     compact_mesh(mesh_);
+    drop_polygons(mesh_, copy_.selected_only);
   }
 
  private:

@@ -174,7 +174,7 @@ class FanCollapse {
   const FanLists& fans_;
   const float least_cosine_;
   FanCorners a_, b_;
-  // Of the faces around, their center first.
+  // By face around, each with the center first.
   std::vector<PlanePoint> points_;
   std::vector<TextureTriangle> textures_;
   std::vector<AtCorners<Vector3>> colors_;
