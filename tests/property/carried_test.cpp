@@ -135,17 +135,28 @@ TEST_P(Carried, PolygonsAreTrianglesAfterwards) {
 INSTANTIATE_TEST_SUITE_P(Filters, Carried,
                          testing::Values(by_edge_collapse, by_half_edges, by_clustering));
 
-/// Nothing moves: what is left has the bits that it had.
-TEST(CarriedByRemoval, VerticesKeepTheirCustomAttributesToTheBit) {
+DecimationReport by_removal(RichMesh& mesh) { return remove(mesh, removal_to(100)); }
+DecimationReport by_clusters_that_keep_a_vertex(RichMesh& mesh) {
+  ClusteringParams params;
+  params.target_faces = 100;
+  params.representative = Representative::Median;
+  return cluster(mesh, params);
+}
+
+class CarriedWhereNothingMoves : public testing::TestWithParam<Decimate> {};
+
+TEST_P(CarriedWhereNothingMoves, CustomAttributesKeepTheirBits) {
   CustomMesh mesh(plane_grid(20));
   auto where = Allocator::AddPerVertexAttribute<vcg::Point3d>(mesh, "where");
   for (RichVertex& v : mesh.vert) where[v] = v.cP();
-  VertexRemovalParams params;
-  params.target_faces = 100;
-  remove(mesh, params);
+  GetParam()(mesh);
   ASSERT_LT(mesh.vn, 100);
   for (RichVertex& v : mesh.vert) EXPECT_EQ(where[v], v.cP());
 }
+
+INSTANTIATE_TEST_SUITE_P(Filters, CarriedWhereNothingMoves,
+                         testing::Values(by_half_edges, by_removal,
+                                         by_clusters_that_keep_a_vertex));
 
 }  // namespace
 }  // namespace curvdecim::test

@@ -156,13 +156,44 @@ TEST(Texture, ThatIsAffineCostsNothing) {
     }
 }
 
+/// u = x^3, v = y.
+vcg::Point2d bent(const vcg::Point3d& p) { return {std::pow(p[0], 3.0), p[1]}; }
+
+TEST(TextureByVertex, IsCarriedAsOneByWedge) {
+  for (Preset preset : {Preset::Fast, Preset::Balanced, Preset::Best}) {
+    SkinnedMesh by_vertex;
+    RichMesh by_wedge;
+    fill(by_vertex, saddle(32)), fill(by_wedge, saddle(32));
+    for (SkinnedVertex& v : by_vertex.vert) v.T().P() = bent(v.cP()), v.T().n() = 0;
+    for (RichFace& f : by_wedge.face)
+      for (int i = 0; i < 3; ++i) f.WT(i).P() = bent(f.cP(i)), f.WT(i).n() = 0;
+    EdgeCollapseParams params = to_faces(500);
+    params.preset = preset;
+    decimate(by_vertex, params), decimate(by_wedge, params);
+    ASSERT_EQ(shape_of(by_vertex), shape_of(by_wedge));
+    for (int f = 0; f < by_vertex.fn; ++f)
+      for (int i = 0; i < 3; ++i)
+        EXPECT_EQ(by_vertex.face[f].cV(i)->cT().P(), by_wedge.face[f].cWT(i).P());
+  }
+}
+
+TEST(TextureByVertex, ThatIsTheSameEverywhereChangesNothing) {
+  SkinnedMesh textured;
+  BareMesh bare;
+  fill(textured, bumpy_sphere(4)), fill(bare, bumpy_sphere(4));
+  for (SkinnedVertex& v : textured.vert) v.T().P() = {0.25, 0.5}, v.T().n() = 0;
+  decimate(textured, to_faces(500)), decimate(bare, to_faces(500));
+  EXPECT_EQ(shape_of(textured), shape_of(bare));
+  for (const SkinnedVertex& v : textured.vert) EXPECT_EQ(v.cT().P(), vcg::Point2d(0.25, 0.5));
+}
+
 /// In a plane nothing else costs anything: u = x^3 is followed where it bends.
 TEST(AttributeWeight, LowersTheDrift) {
   const auto error_with = [](double weight) {
     RichMesh mesh;
     fill(mesh, plane_grid(40));
     for (RichFace& f : mesh.face)
-      for (int i = 0; i < 3; ++i) f.WT(i).u() = std::pow(f.cP(i)[0], 3.0), f.WT(i).v() = f.cP(i)[1];
+      for (int i = 0; i < 3; ++i) f.WT(i).P() = bent(f.cP(i));
     EdgeCollapseParams params = to_faces(120);
     params.attribute_weight = weight;
     decimate(mesh, params);

@@ -44,6 +44,11 @@ DecimationReport decimate(FloatMesh& mesh, const EdgeCollapseParams& params,
   return run(mesh, params, progress);
 }
 
+DecimationReport decimate(SkinnedMesh& mesh, const EdgeCollapseParams& params,
+                          const Progress& progress) {
+  return run(mesh, params, progress);
+}
+
 DecimationReport decimate(RichMesh& mesh, const EdgeCollapseParams& params,
                           const Progress& progress) {
   return run(mesh, params, progress);

@@ -18,6 +18,8 @@ DecimationReport decimate(BareMesh& mesh, const EdgeCollapseParams& params,
                           const Progress& progress = {});
 DecimationReport decimate(FloatMesh& mesh, const EdgeCollapseParams& params,
                           const Progress& progress = {});
+DecimationReport decimate(SkinnedMesh& mesh, const EdgeCollapseParams& params,
+                          const Progress& progress = {});
 DecimationReport decimate(RichMesh& mesh, const EdgeCollapseParams& params,
                           const Progress& progress = {});
 DecimationReport decimate(RichMesh& mesh, const SphereParams& params,

@@ -30,6 +30,19 @@ class FloatVertex : public vcg::Vertex<FloatTypes, vcg::vertex::Coord3f, vcg::ve
 class FloatFace : public vcg::Face<FloatTypes, vcg::face::VertexRef, vcg::face::BitFlags> {};
 class FloatMesh : public vcg::tri::TriMesh<std::vector<FloatVertex>, std::vector<FloatFace>> {};
 
+// --- a texture by vertex, as glTF has it
+// ----------------------------------------------------------
+
+class SkinnedVertex;
+class SkinnedFace;
+struct SkinnedTypes
+    : vcg::UsedTypes<vcg::Use<SkinnedVertex>::AsVertexType, vcg::Use<SkinnedFace>::AsFaceType> {};
+class SkinnedVertex : public vcg::Vertex<SkinnedTypes, vcg::vertex::Coord3d,
+                                         vcg::vertex::TexCoord2d, vcg::vertex::BitFlags> {};
+class SkinnedFace : public vcg::Face<SkinnedTypes, vcg::face::VertexRef, vcg::face::BitFlags> {};
+class SkinnedMesh : public vcg::tri::TriMesh<std::vector<SkinnedVertex>, std::vector<SkinnedFace>> {
+};
+
 // --- every attribute that a host may have --------------------------------------------------------
 
 class RichVertex;

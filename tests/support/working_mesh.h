@@ -24,7 +24,8 @@ inline WorkingMesh working_mesh(const Shape& shape) {
   mesh.locked.assign(shape.vertices.size(), false);
   mesh.plane.resize(shape.faces.size());
   for (int f = 0; f < shape.face_count(); ++f) mesh.update_plane(f);
-  mesh.vertex_origin.resize(shape.vertices.size()), mesh.face_origin.resize(shape.faces.size());
+  mesh.vertex_origins = shape.vertex_count(), mesh.face_origins = shape.face_count();
+  mesh.vertex_origin.resize(mesh.vertex_origins), mesh.face_origin.resize(mesh.face_origins);
   std::iota(mesh.vertex_origin.begin(), mesh.vertex_origin.end(), 0);
   std::iota(mesh.face_origin.begin(), mesh.face_origin.end(), 0);
   return mesh;

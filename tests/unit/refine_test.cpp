@@ -139,8 +139,9 @@ TEST(EdgeFlips, LowerTheErrorOfAMeshWithWrongDiagonals) {
   const std::vector<int> near(faces, SurfacePoint::none);
   of_mesh.match(mesh, near, limits, one_thread);
   const MoveGuard guard(mesh, surface, input_tree, FaceLimits());
+  const TextureDrift no_texture(mesh, surface, 0.0);
   const double before = error(mesh, surface);
-  EXPECT_GT(EdgeFlips(mesh, of_input, of_mesh, guard).run(near, one_thread), 0);
+  EXPECT_GT(EdgeFlips(mesh, of_input, of_mesh, guard, no_texture).run(near, one_thread), 0);
   EXPECT_NO_THROW(mesh.connectivity.validate());
   EXPECT_LT(error(mesh, surface), before);
 }

@@ -7,7 +7,7 @@
 #include "support/texture.h"
 #include "support/working_mesh.h"
 #include "vcg_ext/guard/collapse_rule.h"
-#include "vcg_ext/mesh/chart_count.h"
+#include "vcg_ext/mesh/charts.h"
 
 namespace curvdecim::test {
 
@@ -49,11 +49,11 @@ TEST(Seams, MayEndInsideAChart) {
 }
 
 TEST(Charts, AreCountedBetweenSeams) {
-  EXPECT_EQ(count_charts(textured_grid(true)), 2);
-  EXPECT_EQ(count_charts(textured_grid(false)), 1);
+  EXPECT_EQ(find_charts(textured_grid(true)).count, 2);
+  EXPECT_EQ(find_charts(textured_grid(false)).count, 1);
   WorkingMesh slit = working_mesh(plane_grid(4));
   give_slit_texture(slit);
-  EXPECT_EQ(count_charts(slit), 1);
+  EXPECT_EQ(find_charts(slit).count, 1);
 }
 
 TEST(CollapseRule, LetsAChartGoOntoASeamAndASeamAlongItself) {

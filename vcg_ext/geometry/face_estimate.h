@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "vcg_ext/geometry/closest_point.h"
 #include "vcg_ext/geometry/triangle.h"
 
 namespace curvdecim::detail {
@@ -13,6 +14,11 @@ namespace curvdecim::detail {
 /// What the corners of a face carry, in their order.
 template <class Value>
 using AtCorners = std::array<Value, 3>;
+
+template <class Value>
+Value interpolated(const AtCorners<Value>& corners, const Barycentric& at) {
+  return at[0] * corners[0] + at[1] * corners[1] + at[2] * corners[2];
+}
 
 /// A point in the coordinates of a face that is continued over its plane, from its first corner in
 /// edges to the second and the third.

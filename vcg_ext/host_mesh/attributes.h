@@ -34,6 +34,18 @@ auto curvature_directions_of(const Vertex& vertex) {
   return std::array{vertex.cPD1(), vertex.cPD2()};
 }
 
+template <class TexCoord>
+WedgeCoordinate coordinate_of(const TexCoord& texture) {
+  return {double(texture.u()), double(texture.v()), texture.n()};
+}
+
+/// It keeps its texture page.
+template <class TexCoord>
+void set_coordinate(TexCoord& texture, double u, double v) {
+  texture.u() = static_cast<decltype(texture.u() + 0)>(u);
+  texture.v() = static_cast<decltype(texture.v() + 0)>(v);
+}
+
 /// How what the vertices of a vcg mesh carry is read as values that can be blended, and written
 /// back. MeshType may be const where nothing is written.
 template <class MeshType>
@@ -101,9 +113,7 @@ class VertexAttributes {
           const auto& t = mesh_.vert[v].cT();
           return Eigen::Vector2d(t.u(), t.v());
         },
-        [this](int v, const auto& t) {
-          assign_number(mesh_.vert[v].T().u(), t.x()), assign_number(mesh_.vert[v].T().v(), t.y());
-        });
+        [this](int v, const auto& t) { set_coordinate(mesh_.vert[v].T(), t.x(), t.y()); });
     use([this](int v) { return Label<int>{mesh_.vert[v].cT().n()}; },
         [this](int v, const auto& page) { mesh_.vert[v].T().n() = page.value; });
   }
@@ -156,37 +166,15 @@ class VertexAttributes {
   MeshType& mesh_;
 };
 
-/// The wedge texture coordinate of a corner of a vcg face.
-template <class FaceType>
-WedgeCoordinate wedge_of(const FaceType& face, int i) {
-  const auto& texture = face.cWT(i);
-  return {double(texture.u()), double(texture.v()), texture.n()};
-}
-
 template <class FaceType>
 FaceWedges wedges_of(const FaceType& face) {
-  return {wedge_of(face, 0), wedge_of(face, 1), wedge_of(face, 2)};
+  return {coordinate_of(face.cWT(0)), coordinate_of(face.cWT(1)), coordinate_of(face.cWT(2))};
 }
 
 /// The face keeps its texture page.
 template <class FaceType>
 void write_wedges(FaceType& face, const FaceWedges& wedges) {
-  for (int i = 0; i < 3; ++i) {
-    auto& texture = face.WT(i);
-    texture.u() = static_cast<decltype(texture.u() + 0)>(wedges[i].u);
-    texture.v() = static_cast<decltype(texture.v() + 0)>(wedges[i].v);
-  }
-}
-
-/// The face keeps its texture page. texture: by wedge.
-template <class FaceType>
-void write_coordinates(FaceType& face, const Face& wedges,
-                       const std::vector<Eigen::Vector2d>& texture) {
-  for (int i = 0; i < 3; ++i) {
-    auto& to = face.WT(i);
-    to.u() = static_cast<decltype(to.u() + 0)>(texture[wedges[i]].x());
-    to.v() = static_cast<decltype(to.v() + 0)>(texture[wedges[i]].y());
-  }
+  for (int i = 0; i < 3; ++i) set_coordinate(face.WT(i), wedges[i].u, wedges[i].v);
 }
 
 /// The quality of these vertices, scaled to a largest value of 1, as a factor on the cost. Values

@@ -9,23 +9,24 @@
 
 #include "vcg_ext/host_mesh/attributes.h"
 #include "vcg_ext/host_mesh/face_groups.h"
+#include "vcg_ext/host_mesh/host_texture.h"
 #include "vcg_ext/host_mesh/join_borders.h"
 #include "vcg_ext/host_mesh/working_copy.h"
 
 namespace curvdecim::detail {
 
-/// Tells the corners at each vertex apart by what they carry: their wedge texture coordinates, the
-/// groups of their faces, and the host's vertices, of which the vertex may stand for several.
+/// Tells the corners at each vertex apart by what they carry: their texture coordinates, the groups
+/// of their faces, and the host's vertices, of which the vertex may stand for several.
 template <class MeshType>
 class WedgeReader {
  public:
-  WedgeReader(const MeshType& mesh, WorkingCopy& copy, const FaceGroups<MeshType>& groups,
-              const Parallel& parallel)
+  WedgeReader(const MeshType& mesh, WorkingCopy& copy, const HostTexture<MeshType>& texture,
+              const FaceGroups<MeshType>& groups, const Parallel& parallel)
       : mesh_(mesh),
         copy_(copy),
+        texture_(texture),
         groups_(groups),
         parallel_(parallel),
-        has_texture_(vcg::tri::HasPerWedgeTexCoord(mesh)),
         vertices_(static_cast<int>(copy.vertex_of.size())),
         wedges_(copy.mesh.face_origin.size()),
         others_(vertices_ + 1, 0) {}
@@ -37,9 +38,9 @@ class WedgeReader {
       others_[v + 1] = std::max(0, static_cast<int>(wedges.size()) - 1);
     });
     for (int v = 0; v < vertices_; ++v) others_[v + 1] += others_[v];
-    if (others_.back() == 0 && !has_texture_ && !groups_.exist()) return false;
+    if (others_.back() == 0 && !texture_.exists() && !groups_.exist()) return false;
     copy_.vertex_of.resize(count());
-    if (has_texture_) copy_.mesh.texture.resize(count());
+    if (texture_.exists()) copy_.mesh.texture.resize(count());
     for_each_vertex([&](int v, const std::vector<Corner>& wedges) { number(v, wedges); });
     copy_.mesh.wedges = Wedges(std::move(wedges_), count());
     return differ();
@@ -95,7 +96,7 @@ class WedgeReader {
     for (std::size_t k = 0; k < wedges.size(); ++k) {
       const int wedge = number_of(static_cast<int>(k));
       copy_.vertex_of[wedge] = wedges[k].host;
-      if (has_texture_) copy_.mesh.texture[wedge] = {wedges[k].at.u, wedges[k].at.v};
+      if (texture_.exists()) copy_.mesh.texture[wedge] = {wedges[k].at.u, wedges[k].at.v};
     }
     for (int f : copy_.mesh.connectivity.faces_of(v)) {
       int& wedge = wedges_[f][copy_.mesh.connectivity.corner(f, v)];
@@ -112,8 +113,7 @@ class WedgeReader {
 
   Corner corner_of(int f, int i) const {
     const auto& face = mesh_.face[f];
-    return {static_cast<int>(vcg::tri::Index(mesh_, face.cV(i))), f,
-            has_texture_ ? wedge_of(face, i) : WedgeCoordinate()};
+    return {static_cast<int>(vcg::tri::Index(mesh_, face.cV(i))), f, texture_.at(f, i)};
   }
 
   bool are_one(const Corner& a, const Corner& b) const {
@@ -132,9 +132,9 @@ class WedgeReader {
 
   const MeshType& mesh_;
   WorkingCopy& copy_;
+  const HostTexture<MeshType>& texture_;
   const FaceGroups<MeshType>& groups_;
   const Parallel& parallel_;
-  const bool has_texture_;
   const int vertices_;
   std::vector<Face> wedges_;  // by face
   std::vector<int> others_;   // by vertex: wedges beyond the first, of all before it
@@ -145,10 +145,10 @@ class WedgeReader {
 template <class MeshType>
 bool read_wedges(const MeshType& mesh, WorkingCopy& copy, KeepBordersOf keep_borders_of,
                  const Parallel& parallel) {
+  const HostTexture<MeshType> texture(mesh, parallel);
   const FaceGroups<MeshType> groups(mesh, keep_borders_of);
-  if (copy.borders_joined == 0 && !vcg::tri::HasPerWedgeTexCoord(mesh) && !groups.exist())
-    return false;
-  return WedgeReader<MeshType>(mesh, copy, groups, parallel).read();
+  if (copy.borders_joined == 0 && !texture.exists() && !groups.exist()) return false;
+  return WedgeReader<MeshType>(mesh, copy, texture, groups, parallel).read();
 }
 
 }  // namespace curvdecim::detail

@@ -201,11 +201,18 @@ class WriteBack {
         vcg::tri::Allocator<MeshType>::DeleteVertex(mesh_, mesh_.vert[v]);
   }
 
+  /// To wedges, or where the mesh has it by vertex, there.
   void write_texture() {
+    const std::vector<Vector2>& texture = copy_.mesh.texture;
+    if (!vcg::tri::HasPerWedgeTexCoord(mesh_))
+      return for_each_speaker([&](int wedge, int) {
+        set_coordinate(mesh_.vert[place_of_[wedge]].T(), texture[wedge].x(), texture[wedge].y());
+      });
     parallel_.for_each(connectivity().face_slots(), [&](int f) {
-      if (connectivity().alive(f))
-        write_coordinates(mesh_.face[copy_.mesh.face_origin[f]], copy_.mesh.wedges.of_face(f),
-                          copy_.mesh.texture);
+      for (int i = 0; i < 3 && connectivity().alive(f); ++i) {
+        const Vector2& at = texture[copy_.mesh.wedges.of_face(f)[i]];
+        set_coordinate(mesh_.face[copy_.mesh.face_origin[f]].WT(i), at.x(), at.y());
+      }
     });
   }
 

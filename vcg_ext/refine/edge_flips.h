@@ -13,6 +13,7 @@
 #include "vcg_ext/refine/input_samples.h"
 #include "vcg_ext/refine/mesh_samples.h"
 #include "vcg_ext/refine/move_guard.h"
+#include "vcg_ext/refine/texture_drift.h"
 
 namespace curvdecim::detail {
 
@@ -20,8 +21,9 @@ namespace curvdecim::detail {
 /// samples of both @cite hoppe1993. The best first; flips of one pass share no vertex.
 class EdgeFlips {
  public:
-  EdgeFlips(WorkingMesh& mesh, InputSamples& of_input, MeshSamples& of_mesh, const MoveGuard& guard)
-      : mesh_(mesh), of_input_(of_input), of_mesh_(of_mesh), guard_(guard) {}
+  EdgeFlips(WorkingMesh& mesh, InputSamples& of_input, MeshSamples& of_mesh, const MoveGuard& guard,
+            const TextureDrift& drift)
+      : mesh_(mesh), of_input_(of_input), of_mesh_(of_mesh), guard_(guard), drift_(drift) {}
 
   /// near: by face, a face of the input near it. Returns the number of flips.
   int run(const std::vector<int>& near, const Parallel& parallel) {
@@ -70,6 +72,11 @@ class EdgeFlips {
         least = std::min(least, squared_distance(triangle[i], p));
       }
       return least;
+    }
+
+    /// Which of the two is nearer to p.
+    int nearer(const Vector3& p) const {
+      return squared_distance(triangle[1], p) < squared_distance(triangle[0], p) ? 1 : 0;
     }
   };
 
@@ -137,7 +144,7 @@ class EdgeFlips {
       for (int i : of_input_.of_face(f)) sum += of_input_.weight(i) * of_input_.distance2(i);
       sum += of_mesh_.error(mesh_, f);
     }
-    return sum;
+    return drift_.counts() ? sum + drift(flip) : sum;
   }
 
   /// What is locked, seams, and the link condition @cite dey1999: no second edge from c to d.
@@ -153,14 +160,18 @@ class EdgeFlips {
 
   bool turns_over_in_texture(const Flip& flip) const {
     if (mesh_.texture.empty()) return false;
-    const auto at = [&](int f, int v) {
-      return mesh_.texture[mesh_.wedges.at(mesh_.connectivity, f, v)];
-    };
-    const Vector2 a = at(flip.f, flip.a), b = at(flip.f, flip.b), c = at(flip.f, flip.c),
-                  d = at(flip.g, flip.d);
+    const auto [a, b, c, d] = in_texture(flip);
     const double before = texture_area({a, b, c}) + texture_area({b, a, d});
     return is_turned_over(before, texture_area({a, d, c})) ||
            is_turned_over(before, texture_area({d, b, c}));
+  }
+
+  /// The places of a, b, c and d.
+  std::array<Vector2, 4> in_texture(const Flip& flip) const {
+    const auto at = [&](int f, int v) {
+      return mesh_.texture[mesh_.wedges.at(mesh_.connectivity, f, v)];
+    };
+    return {at(flip.f, flip.a), at(flip.f, flip.b), at(flip.f, flip.c), at(flip.g, flip.d)};
   }
 
   /// A face that may not change has locked corners.
@@ -204,6 +215,27 @@ class EdgeFlips {
       sum += of_mesh_.error(samples, then.plane[i].area);
       if (sum >= most) return sum;
     }
+    return drift_.counts() ? sum + drift_after(flip, then) : sum;
+  }
+
+  /// In the texture.
+  double drift(const Flip& flip) const {
+    double sum = 0.0;
+    for (int f : {flip.f, flip.g})
+      for (int i : of_input_.of_face(f))
+        sum += drift_.of(f, mesh_.texture_triangle(f), of_input_.match(mesh_.triangle(f), i));
+    return sum;
+  }
+
+  double drift_after(const Flip& flip, const Pair& then) const {
+    const auto [a, b, c, d] = in_texture(flip);
+    const std::array<TextureTriangle, 2> texture = {{{a, d, c}, {d, b, c}}};
+    double sum = 0.0;
+    for (int f : {flip.f, flip.g})
+      for (int i : of_input_.of_face(f)) {
+        const int nearer = then.nearer(of_input_.point(i));
+        sum += drift_.of(flip.f, texture[nearer], of_input_.match(then.triangle[nearer], i));
+      }
     return sum;
   }
 
@@ -235,6 +267,7 @@ class EdgeFlips {
   InputSamples& of_input_;
   MeshSamples& of_mesh_;
   const MoveGuard& guard_;
+  const TextureDrift& drift_;
 };
 
 }  // namespace curvdecim::detail

@@ -79,7 +79,8 @@ class InputSamples {
   /// face: of the mesh, the one that sample i is matched with.
   Match match(const Triangle& face, int i) const {
     const Vector3 target = point(i);
-    return {closest_point(face, target), target, weight(i), distance2(i)};
+    return {closest_point(face, target), target, weight(i), distance2(i), face_[i],
+            places_[place_[i]]};
   }
   Vector3 point(int i) const { return at(input_.triangle(face_[i]), places_[place_[i]]); }
   double weight(int i) const { return weight_[i]; }

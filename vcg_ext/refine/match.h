@@ -16,6 +16,8 @@ struct Match {
   Vector3 target;       // on the input
   double weight = 0.0;  // the part of the area that the sample stands for
   double distance2 = 0.0;
+  int input_face = SurfacePoint::none;  // that the point of the input is on; not known of curves
+  Barycentric on_input{};               // where
 };
 
 /// What is kept of the nearest point: where on the face it lies is quickly found again.

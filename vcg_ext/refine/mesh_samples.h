@@ -101,8 +101,9 @@ class MeshSamples {
 
   Match match_of(const Found& found, const Vector3& p, double area) const {
     const Triangle face = input_.triangle(found.face);
-    return {
-        {}, at(face, closest_point(face, p)), input_.weight[found.face] * area, found.distance2};
+    const Barycentric place = closest_point(face, p);
+    return {{},   at(face, place), input_.weight[found.face] * area, found.distance2, found.face,
+            place};
   }
 
   void match_face(const Triangle& triangle, const FacePlane& plane, int hint,

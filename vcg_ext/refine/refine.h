@@ -16,6 +16,8 @@
 #include "vcg_ext/refine/input_surface.h"
 #include "vcg_ext/refine/mesh_samples.h"
 #include "vcg_ext/refine/move_guard.h"
+#include "vcg_ext/refine/texture_drift.h"
+#include "vcg_ext/refine/texture_fit.h"
 #include "vcg_ext/refine/vertex_fit.h"
 #include "vcg_ext/refine/wedge_moves.h"
 
@@ -53,44 +55,44 @@ class Refinement {
         of_seams_({input.position, input.seams}, {mesh.position, seam_edges(mesh)}, seam_share,
                   limits_, parallel),
         guard_(mesh, input, input_tree_, plan.limits.faces),
+        drift_(mesh, input, plan.limits.attribute_weight),
         near_(face_count(), SurfacePoint::none) {}
 
   /// Throws CancelRequest.
   void run(int sweeps) {
     if (!(area_ > 0.0)) return;
     const std::vector<std::uint8_t> fixed = fixed_vertices();
+    const bool has_texture = mesh_.texture_scale2 > 0.0;
+    const double swept = has_texture ? texture_starts : 1.0;
     for (int sweep = 0; sweep < sweeps; ++sweep) {
-      const double one = (1.0 - ready) / sweeps, start = ready + one * sweep;
+      const double one = (swept - ready) / sweeps, start = ready + one * sweep;
       const MatchLimits limits = sweep == 0 && has_curves() ? limits_.without_walks() : limits_;
       parallel_.progress().along(start, start + one, [&] { sweep_once(limits, fixed); });
     }
+    if (has_texture) parallel_.progress().along(swept, 1.0, [&] { fit_texture(); });
   }
 
-  /// Where on the input the vertices that moved take their attributes from. Vertices have the
-  /// numbers that they had at the start. None where corners are told apart: what lies near may be
-  /// beyond a seam.
+  /// Where on the input what moved takes its attributes from: vertices, by the numbers that they
+  /// had at the start, or wedges inside charts, from the same chart.
   std::vector<BlendStep> attributes() const {
-    if (mesh_.wedges.exist()) return {};
-    std::vector<SurfacePoint> from(mesh_.position.size());
+    std::vector<BlendStep> of_vertex(mesh_.position.size());
     parallel_.for_each(
-        static_cast<int>(from.size()),
+        static_cast<int>(of_vertex.size()),
         [&](int v) {
-          if (mesh_.position[v] != before_[v]) from[v] = on_input(v);
+          if (mesh_.position[v] != before_[v]) of_vertex[v] = step_from_input(v);
         },
         Parallel::heavy);
-    std::vector<BlendStep> steps;
-    for (std::size_t v = 0; v < from.size(); ++v)
-      if (from[v].found())
-        steps.push_back(BlendStep::at(mesh_.vertex_origin[v],
-                                      input_.connectivity.face(from[v].face), from[v].weight));
-    return steps;
+    const auto is_none = [](const BlendStep& step) { return step.keep == BlendStep::none; };
+    of_vertex.erase(std::remove_if(of_vertex.begin(), of_vertex.end(), is_none), of_vertex.end());
+    return of_vertex;
   }
 
   /// How wedges have followed their vertices, in an order in which it can be replayed.
   const std::vector<BlendStep>& wedge_steps() const { return wedge_steps_; }
 
  private:
-  static constexpr double ready = 0.05;  // part of the time when the first sweep starts
+  // Parts of the time: when the first sweep starts, and the fit of a texture.
+  static constexpr double ready = 0.05, texture_starts = 0.9;
 
   /// A border's samples against those of the surface: the border must not pull the surface along.
   static constexpr double border_share = 0.3;
@@ -103,8 +105,9 @@ class Refinement {
     constexpr double third = 1.0 / 3.0;
     ProgressMeter& progress = parallel_.progress();
     progress.along(0.0, third, [&] { match(limits); });
-    progress.along(third, 2.0 * third,
-                   [&] { EdgeFlips(mesh_, of_input_, of_mesh_, guard_).run(near_, parallel_); });
+    progress.along(third, 2.0 * third, [&] {
+      EdgeFlips(mesh_, of_input_, of_mesh_, guard_, drift_).run(near_, parallel_);
+    });
     progress.along(2.0 * third, 1.0, [&] { fit(fixed); });
   }
 
@@ -144,6 +147,18 @@ class Refinement {
     mesh_tree_.refit(parallel_);
   }
 
+  /// Where vertices moved, inside charts.
+  void fit_texture() {
+    match(limits_);
+    TextureFit(mesh_, input_, moved_vertices(), parallel_).run(of_input_, of_mesh_);
+  }
+
+  std::vector<std::uint8_t> moved_vertices() const {
+    std::vector<std::uint8_t> moved(mesh_.position.size());
+    for (std::size_t v = 0; v < moved.size(); ++v) moved[v] = mesh_.position[v] != before_[v];
+    return moved;
+  }
+
   /// By vertex.
   std::vector<Farthest> farthest() const {
     std::vector<double> of_face(face_count());
@@ -160,9 +175,18 @@ class Refinement {
     return farthest;
   }
 
-  SurfacePoint on_input(int v) const {
-    return nearest_on_sheet(input_tree_, mesh_.position[v], area_vector_around(mesh_, v),
-                            of_mesh_.input_face(v), limits_);
+  /// From the nearest point of the input; none: at the outline of a chart, or beyond it.
+  BlendStep step_from_input(int v) const {
+    const SurfacePoint from =
+        nearest_on_sheet(input_tree_, mesh_.position[v], area_vector_around(mesh_, v),
+                         of_mesh_.input_face(v), limits_);
+    if (!mesh_.wedges.exist())
+      return BlendStep::at(mesh_.vertex_origin[v], input_.connectivity.face(from.face),
+                           from.weight);
+    const int f = *mesh_.connectivity.faces_of(v).begin();
+    if (!is_inside_chart(mesh_, v) || !input_.charts.has(mesh_, f, from.face)) return {};
+    return BlendStep::at(mesh_.wedges.at(mesh_.connectivity, f, v), input_.charts.wedges[from.face],
+                         from.weight);
   }
 
   WorkingMesh& mesh_;
@@ -177,6 +201,7 @@ class Refinement {
   MeshSamples of_mesh_;
   CurveSamples of_border_, of_seams_;
   MoveGuard guard_;
+  TextureDrift drift_;
   std::vector<BlendStep> wedge_steps_;
   std::vector<int> near_;  // by face of the mesh: a face of the input near it
 };

@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "vcg_ext/mesh/chart_count.h"
+#include "vcg_ext/mesh/charts.h"
 #include "vcg_ext/mesh/working_mesh.h"
 #include "vcg_ext/report.h"
 #include "vcg_ext/run/grouped.h"
@@ -97,7 +97,7 @@ inline void note_seams(const WorkingMesh& mesh, DecimationReport& report) {
   const auto on_seams = std::count(mesh.on_seam.begin(), mesh.on_seam.end(), std::uint8_t{1});
   const double share = static_cast<double>(on_seams) / static_cast<double>(mesh.position.size());
   if (share < most) return note_seams(report);
-  const int charts = count_charts(mesh);
+  const int charts = find_charts(mesh).count;
   report.notes.push_back(
       "The texture is in " + grouped(charts) + " charts of " +
       grouped((mesh.connectivity.face_count() + charts / 2) / charts) + " faces in the mean, and " +
