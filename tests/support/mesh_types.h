@@ -30,8 +30,7 @@ class FloatVertex : public vcg::Vertex<FloatTypes, vcg::vertex::Coord3f, vcg::ve
 class FloatFace : public vcg::Face<FloatTypes, vcg::face::VertexRef, vcg::face::BitFlags> {};
 class FloatMesh : public vcg::tri::TriMesh<std::vector<FloatVertex>, std::vector<FloatFace>> {};
 
-// --- a texture by vertex, as glTF has it
-// ----------------------------------------------------------
+// --- a texture by vertex, as glTF has it ---------------------------------------------------------
 
 class SkinnedVertex;
 class SkinnedFace;

@@ -92,8 +92,8 @@ TEST(TextureFit, IsTheBestForTheWholeFaces) {
   ASSERT_EQ(flat.mesh.texture[center].x(), 0.25);
   flat.fit(center);
   EXPECT_LT(flat.mesh.texture[center].x(), 0.25);  // a chord lies above a parabola
-  EXPECT_GT(flat.mesh.texture[center].x(),
-            0.25 - 0.25 * 0.25);  // as far as the chord at its middle
+  const double chord_above = 0.25 * 0.25;          // more than it is at its middle
+  EXPECT_GT(flat.mesh.texture[center].x(), 0.25 - chord_above);
 }
 
 TEST(TextureFit, LeavesOutlinesAndOthersThanAreFree) {

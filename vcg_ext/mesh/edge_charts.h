@@ -96,10 +96,7 @@ class EdgeCharts {
 
   /// The chart of an edge that is on no outline.
   void add_only_chart(const WorkingMesh& mesh, const VertexMerge& merge) {
-    const auto wedge_at = [&](int v) {
-      return mesh.wedges.at(mesh.connectivity, *mesh.connectivity.faces_of(v).begin(), v);
-    };
-    charts_.push_back({wedge_at(merge.keep), wedge_at(merge.gone)});
+    charts_.push_back({only_wedge(mesh, merge.keep), only_wedge(mesh, merge.gone)});
   }
 
   /// The chart of face f, which may be new.

@@ -21,6 +21,11 @@ inline bool is_inside_chart(const WorkingMesh& mesh, int v) {
   return mesh.kind[v] == VertexKind::Interior && !is_on_seam(mesh, v);
 }
 
+/// The wedge of a vertex inside a chart, which has no other.
+inline int only_wedge(const WorkingMesh& mesh, int v) {
+  return mesh.wedges.at(mesh.connectivity, *mesh.connectivity.faces_of(v).begin(), v);
+}
+
 /// Whether the edge ab of face f is a seam, by its wedges.
 inline bool has_seam(const WorkingMesh& mesh, int f, int a, int b) {
   const int across = mesh.connectivity.face_across(f, a, b);

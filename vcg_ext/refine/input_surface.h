@@ -11,6 +11,7 @@
 #include "vcg_ext/mesh/working_mesh.h"
 #include "vcg_ext/metric/error_weights.h"
 #include "vcg_ext/parallel/parallel.h"
+#include "vcg_ext/refine/match.h"
 #include "vcg_ext/refine/surface_curve.h"
 
 namespace curvdecim::detail {
@@ -28,15 +29,17 @@ struct InputCharts {
     return origin < of_origin.size() && of_origin[origin] == of_face[input_face];
   }
 
-  /// The texture's coordinates at a point of an input face, for face f of the mesh; nullopt: it
-  /// lies beyond a seam.
-  std::optional<Vector2> texture_for(const WorkingMesh& mesh, int f, int input_face,
-                                     const Barycentric& at) const {
-    if (!has(mesh, f, input_face)) return std::nullopt;
-    const auto [a, b, c] = wedges[input_face];
-    const Vector2 there = interpolated<Vector2>({texture[a], texture[b], texture[c]}, at);
-    if (!is_finite(there)) return std::nullopt;
-    return there;
+  /// How far a sample on a face of the chart of face f, its corners drawn at `corners`, is from
+  /// where its match is drawn; nullopt: that one lies beyond a seam, or is drawn nowhere.
+  std::optional<Vector2> texture_pull(const WorkingMesh& mesh, int f,
+                                      const TextureTriangle& corners, const Match& match) const {
+    if (!has(mesh, f, match.input_face)) return std::nullopt;
+    const auto [a, b, c] = wedges[match.input_face];
+    const Vector2 pull =
+        interpolated<Vector2>({texture[a], texture[b], texture[c]}, match.on_input) -
+        interpolated(corners, match.at);
+    if (!is_finite(pull)) return std::nullopt;
+    return pull;
   }
 };
 

@@ -79,7 +79,7 @@ class Refinement {
     parallel_.for_each(
         static_cast<int>(of_vertex.size()),
         [&](int v) {
-          if (mesh_.position[v] != before_[v]) of_vertex[v] = step_from_input(v);
+          if (has_moved(v)) of_vertex[v] = step_from_input(v);
         },
         Parallel::heavy);
     const auto is_none = [](const BlendStep& step) { return step.keep == BlendStep::none; };
@@ -104,7 +104,7 @@ class Refinement {
   void sweep_once(const MatchLimits& limits, const std::vector<std::uint8_t>& fixed) {
     constexpr double third = 1.0 / 3.0;
     ProgressMeter& progress = parallel_.progress();
-    progress.along(0.0, third, [&] { match(limits); });
+    progress.along(0.0, third, [&] { match_surface(limits), match_curves(); });
     progress.along(third, 2.0 * third, [&] {
       EdgeFlips(mesh_, of_input_, of_mesh_, guard_, drift_).run(near_, parallel_);
     });
@@ -127,15 +127,16 @@ class Refinement {
                        [](VertexKind kind) { return kind >= VertexKind::Curve; });
   }
 
-  void match(const MatchLimits& limits) {
+  void match_surface(const MatchLimits& limits) {
     of_input_.match(mesh_tree_, face_count(), limits, parallel_);
     parallel_.for_each(face_count(), [&](int f) {
       const IndexRange samples = of_input_.of_face(f);
       if (samples.size() > 0) near_[f] = of_input_.input_face(*(samples.end() - 1));
     });
     of_mesh_.match(mesh_, near_, limits, parallel_);
-    of_border_.match(parallel_), of_seams_.match(parallel_);
   }
+
+  void match_curves() { of_border_.match(parallel_), of_seams_.match(parallel_); }
 
   void fit(const std::vector<std::uint8_t>& fixed) {
     std::vector<Vector3> steps =
@@ -149,15 +150,17 @@ class Refinement {
 
   /// Where vertices moved, inside charts.
   void fit_texture() {
-    match(limits_);
+    match_surface(limits_);
     TextureFit(mesh_, input_, moved_vertices(), parallel_).run(of_input_, of_mesh_);
   }
 
   std::vector<std::uint8_t> moved_vertices() const {
     std::vector<std::uint8_t> moved(mesh_.position.size());
-    for (std::size_t v = 0; v < moved.size(); ++v) moved[v] = mesh_.position[v] != before_[v];
+    for (std::size_t v = 0; v < moved.size(); ++v) moved[v] = has_moved(static_cast<int>(v));
     return moved;
   }
+
+  bool has_moved(int v) const { return mesh_.position[v] != before_[v]; }
 
   /// By vertex.
   std::vector<Farthest> farthest() const {
@@ -185,8 +188,7 @@ class Refinement {
                            from.weight);
     const int f = *mesh_.connectivity.faces_of(v).begin();
     if (!is_inside_chart(mesh_, v) || !input_.charts.has(mesh_, f, from.face)) return {};
-    return BlendStep::at(mesh_.wedges.at(mesh_.connectivity, f, v), input_.charts.wedges[from.face],
-                         from.weight);
+    return BlendStep::at(only_wedge(mesh_, v), input_.charts.wedges[from.face], from.weight);
   }
 
   WorkingMesh& mesh_;

@@ -16,11 +16,10 @@ class TextureDrift {
 
   bool counts() const { return weight_ > 0.0; }
 
-  /// Of a sample with a match on a face of the chart of face f, the texture of which is `texture`.
-  double of(int f, const TextureTriangle& texture, const Match& match) const {
-    const auto there = input_.charts.texture_for(mesh_, f, match.input_face, match.on_input);
-    if (!there) return 0.0;
-    return weight_ * match.weight * (*there - interpolated(texture, match.at)).squaredNorm();
+  /// The part of a sample on a face of the chart of face f, its corners drawn at `corners`.
+  double of(int f, const TextureTriangle& corners, const Match& match) const {
+    const auto pull = input_.charts.texture_pull(mesh_, f, corners, match);
+    return pull ? weight_ * match.weight * pull->squaredNorm() : 0.0;
   }
 
  private:

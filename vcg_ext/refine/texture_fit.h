@@ -12,7 +12,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "vcg_ext/geometry/blend.h"
 #include "vcg_ext/mesh/seams.h"
 #include "vcg_ext/mesh/working_mesh.h"
 #include "vcg_ext/parallel/parallel.h"
@@ -42,12 +41,12 @@ struct TextureSystem {
 /// turn over in the texture its corners do.
 class TextureFit {
  public:
-  /// free: by vertex, 1 if its coordinates may change.
+  /// mesh: without gaps in its numbers; free: by vertex, 1 if its coordinates may change.
   TextureFit(WorkingMesh& mesh, const InputSurface& input, const std::vector<std::uint8_t>& free,
              const Parallel& parallel)
       : mesh_(mesh), input_(input), parallel_(parallel), wedge_of_(free.size(), Wedges::none) {
     parallel_.for_each(static_cast<int>(free.size()), [&](int v) {
-      if (free[v] != 0 && is_inside_chart(mesh_, v)) wedge_of_[v] = only_wedge(v);
+      if (free[v] != 0 && is_inside_chart(mesh_, v)) wedge_of_[v] = only_wedge(mesh_, v);
     });
   }
 
@@ -67,14 +66,6 @@ class TextureFit {
   int face_count() const { return mesh_.connectivity.face_slots(); }
   int vertex_count() const { return mesh_.connectivity.vertex_slots(); }
 
-  /// Of a vertex inside a chart; none: it has no face, or is no place in the texture.
-  int only_wedge(int v) const {
-    const IndexRange faces = mesh_.connectivity.faces_of(v);
-    if (faces.size() == 0) return Wedges::none;
-    const int wedge = mesh_.wedges.at(mesh_.connectivity, *faces.begin(), v);
-    return is_finite(mesh_.texture[wedge]) ? wedge : Wedges::none;
-  }
-
   TextureSystem system_of_face(int f, const InputSamples& of_input,
                                const MeshSamples& of_mesh) const {
     const Triangle triangle = mesh_.triangle(f);
@@ -86,18 +77,15 @@ class TextureFit {
 
   /// As a sample of its first face.
   void add_vertex(int v, const MeshSamples& of_mesh, std::vector<TextureSystem>& systems) const {
-    const IndexRange faces = mesh_.connectivity.faces_of(v);
-    if (faces.size() == 0) return;
+    const int f = *mesh_.connectivity.faces_of(v).begin();
     Match match = of_mesh.match_of_vertex(mesh_, v);
-    match.at[mesh_.connectivity.corner(*faces.begin(), v)] = 1.0;
-    add(*faces.begin(), match, systems[*faces.begin()]);
+    match.at[mesh_.connectivity.corner(f, v)] = 1.0;
+    add(f, match, systems[f]);
   }
 
   void add(int f, const Match& match, TextureSystem& system) const {
-    const auto there = input_.charts.texture_for(mesh_, f, match.input_face, match.on_input);
-    if (!there) return;
-    const Vector2 pull = *there - interpolated(mesh_.texture_triangle(f), match.at);
-    if (is_finite(pull)) system.add(match.at, pull, match.weight);
+    const auto pull = input_.charts.texture_pull(mesh_, f, mesh_.texture_triangle(f), match);
+    if (pull) system.add(match.at, *pull, match.weight);
   }
 
   /// The steps of the coordinates.
