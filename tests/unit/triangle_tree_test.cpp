@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "vcg_ext/refine/triangle_tree.h"
+#include "vcg_ext/mesh/triangle_tree.h"
 
 #include <gtest/gtest.h>
 

@@ -5,10 +5,10 @@
 #include <utility>
 #include <vector>
 
+#include "vcg_ext/mesh/triangle_tree.h"
 #include "vcg_ext/parallel/parallel.h"
 #include "vcg_ext/refine/match.h"
 #include "vcg_ext/refine/surface_curve.h"
-#include "vcg_ext/refine/triangle_tree.h"
 
 namespace curvdecim::detail {
 

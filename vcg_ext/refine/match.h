@@ -5,7 +5,7 @@
 
 #include "vcg_ext/geometry/triangle.h"
 #include "vcg_ext/mesh/triangle_connectivity.h"
-#include "vcg_ext/refine/triangle_tree.h"
+#include "vcg_ext/mesh/triangle_tree.h"
 
 namespace curvdecim::detail {
 

@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "vcg_ext/guard/limits.h"
+#include "vcg_ext/mesh/triangle_tree.h"
 #include "vcg_ext/mesh/working_mesh.h"
 #include "vcg_ext/parallel/parallel.h"
 #include "vcg_ext/refine/input_surface.h"
-#include "vcg_ext/refine/triangle_tree.h"
 
 namespace curvdecim::detail {
 
