@@ -25,14 +25,19 @@ template <class MetricType>
 Tally collapse(WorkingMesh& mesh, MetricType& metric, const CollapsePlan& plan, Carried& carried,
                const Parallel& parallel) {
   constexpr double reading = 0.6;  // part of the time of the preparation
+  std::optional<SurfaceBound> bound;
+  if (plan.limits.max_error > 0.0 && mesh.connectivity.face_count() > 0)
+    bound.emplace(mesh, plan.limits.max_error, parallel);
+  SurfaceBound* const or_none = bound ? &*bound : nullptr;
   std::optional<PassSurface> surface;
   parallel.progress().along(reading, 1.0, [&] { surface = prepare(mesh, metric, plan, parallel); });
   plan.times.begin_steps("Collapsing edges", parallel.progress());
   Tally tally;
   const int next_number = surface ? collapse_in_passes(*std::move(surface), mesh, metric, plan,
-                                                       carried.blended, parallel, tally)
+                                                       carried.blended, or_none, parallel, tally)
                                   : 0;
-  collapse_edges(mesh, metric, plan, carried.collapse_observers(), next_number, parallel, tally);
+  collapse_edges(mesh, metric, plan, carried.collapse_observers(), next_number, or_none, parallel,
+                 tally);
   return tally;
 }
 

@@ -78,8 +78,8 @@ class Passes : public testing::Test {
     BlendRecord record(over_surface);
     Tally tally;
     if (!surface) return {std::move(mesh), {}, tally};
-    const int count =
-        collapse_in_passes(*std::move(surface), mesh, metric, plan, record, parallel, tally);
+    const int count = collapse_in_passes(*std::move(surface), mesh, metric, plan, record, nullptr,
+                                         parallel, tally);
     mesh.connectivity.validate();
     BlendSteps steps;
     record.for_each(one_thread, [&](const BlendStep& step) { steps.over_surface.push_back(step); });
@@ -219,7 +219,7 @@ TEST_F(Passes, NoteStepsThatAreReplayedOnAllCoresAsInOrder) {
     std::optional<PassSurface> surface = prepare(mesh, metric, plan, one_thread);
     BlendRecord record(over_surface);
     Tally tally;
-    collapse_in_passes(*std::move(surface), mesh, metric, plan, record, one_thread, tally);
+    collapse_in_passes(*std::move(surface), mesh, metric, plan, record, nullptr, one_thread, tally);
     EXPECT_GT(record.first_steps().stages[0].size(), 2u) << "blocks that are replayed together";
     const auto replayed = [&](int threads) {
       std::vector<double> values;

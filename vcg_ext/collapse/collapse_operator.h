@@ -183,6 +183,10 @@ class CollapseOperator {
     return {done.keep, done.gone, removed};
   }
 
+  /// How the error is bounded: guard/collapse_guards.h.
+  void measure_with(SurfaceBound& bound) { guards_.measure_with(bound); }
+  void rely_on_sums() { guards_.rely_on_sums(); }
+
   void renumber(const Renumbering& numbers) {
     mesh_.renumber(numbers), metric_.renumber(numbers), guards_.renumber(numbers);
     for (CollapseObserver* observer : observers_) observer->renumber(numbers);

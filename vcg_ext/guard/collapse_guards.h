@@ -10,6 +10,7 @@
 #include "vcg_ext/guard/fold.h"
 #include "vcg_ext/guard/obstacle.h"
 #include "vcg_ext/guard/spike.h"
+#include "vcg_ext/guard/surface_bound.h"
 #include "vcg_ext/mesh/working_mesh.h"
 #include "vcg_ext/report.h"
 
@@ -33,7 +34,8 @@ class CollapseGuards {
         link_condition_(limits.keeps_topology || limits.max_error > 0.0),
         keeps_normal_(limits.faces.keeps_normal),
         face_guard_(mesh, limits.faces),
-        bound_(mesh, limits.max_error) {
+        max_error_(limits.max_error),
+        bound_(mesh, share_of_sums * limits.max_error) {
     if (limits.topology_gives_way) obstacle_price_.emplace(mesh);
   }
 
@@ -56,15 +58,27 @@ class CollapseGuards {
     if (keeps_normal_ && !answer.obstacle.exists() && folds(mesh_, around, after))
       return {Rejection::NormalFlip};
     if (!bound_.active()) return answer;
-    answer.error_bound = bound_.after(mesh_, around, x);
-    if (!bound_.allows(answer.error_bound)) return {Rejection::ErrorBound};
+    answer.error_bound =
+        measured_ ? measured_->after(mesh_, around, x) : bound_.after(mesh_, around, x);
+    if (!(measured_ ? answer.error_bound <= max_error_ : bound_.allows(answer.error_bound)))
+      return {Rejection::ErrorBound};
     return answer;
   }
 
   /// To be told of every collapse that is done, with the bound of the answer.
   void accept(const EdgeNeighborhood& around, double error_bound) {
-    if (bound_.active()) bound_.set(around, error_bound);
+    if (measured_)
+      measured_->accept();
+    else if (bound_.active())
+      bound_.set(around, error_bound);
   }
+
+  /// From now on distances to the input are measured where there is a bound: edges have to be asked
+  /// about and collapsed one by one. bound: has begun with the mesh.
+  void measure_with(SurfaceBound& bound) { measured_ = &bound; }
+
+  /// The sum of moves may go up to the bound itself.
+  void rely_on_sums() { bound_.set_limit(max_error_); }
 
   /// What it costs that the topology gives way; nullptr: it does not.
   const ObstaclePrice* obstacle_price() const {
@@ -80,6 +94,10 @@ class CollapseGuards {
   }
 
  private:
+  /// Of the bound: how far sums go before distances are measured. Sums cost little and go together,
+  /// but count what comes back; from .03 to .1 as many faces are left.
+  static constexpr double share_of_sums = 0.1;
+
   Obstacle obstacle(const EdgeNeighborhood& around) const {
     if (obstacle_price_)
       return find_obstacle(mesh_, around, rule_.of_kinds(around.edge()).has_value());
@@ -92,7 +110,9 @@ class CollapseGuards {
   const bool keeps_normal_;
   FaceGuard face_guard_;
   std::optional<ObstaclePrice> obstacle_price_;  // where the topology gives way
+  const double max_error_;
   ErrorBound bound_;
+  SurfaceBound* measured_ = nullptr;  // not yet
 };
 
 }  // namespace curvdecim::detail

@@ -32,6 +32,7 @@ class ErrorBound {
   }
 
   bool allows(double bound) const { return bound <= limit_; }
+  void set_limit(double limit) { limit_ = limit; }
 
   void set(const EdgeNeighborhood& around, double bound) {
     for (int f : around.star()) of_face_[f] = bound;

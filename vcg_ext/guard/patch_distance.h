@@ -13,8 +13,9 @@ namespace curvdecim::detail {
 /// Bounds the distance between two small triangle patches over the same outline. Seen along a
 /// direction in which no triangle of either is turned away, both are height fields over one plane
 /// domain; the difference of two piecewise linear functions is largest at a vertex of their
-/// overlay, and every overlay vertex is a vertex of a patch or a crossing of two edges. The
-/// vertical difference bounds the two-sided distance @cite cohen1997.
+/// overlay, and every overlay vertex is a vertex of a patch or a crossing of two edges. What both
+/// have, their outline above all, is no such place. The vertical difference bounds the two-sided
+/// distance @cite cohen1997.
 class PatchDistance {
  public:
   using Patch = std::vector<Triangle>;
@@ -29,7 +30,8 @@ class PatchDistance {
     const PatchDistance frame(up / length);
     const std::optional<Patch> p = frame.flatten(patch), q = frame.flatten(fan);
     if (!p || !q || !frame.winds_once(fan, apex)) return std::nullopt;
-    return std::max({vertices_over(*p, *q), vertices_over(*q, *p), crossings(*p, *q)});
+    return std::max(
+        {vertices_over(*p, *q), vertices_over(*q, *p), crossings(*p, *q, frame.flatten(apex))});
   }
 
  private:
@@ -43,12 +45,14 @@ class PatchDistance {
     Patch flat;
     for (const Triangle& t : patch) {
       Triangle f;
-      for (int i = 0; i < 3; ++i) f[i] = {x_.dot(t[i]), y_.dot(t[i]), z_.dot(t[i])};
+      for (int i = 0; i < 3; ++i) f[i] = flatten(t[i]);
       if (!(plane_area(f[0], f[1], f[2]) > 0.0)) return std::nullopt;
       flat.push_back(f);
     }
     return flat;
   }
+
+  Vector3 flatten(const Vector3& p) const { return {x_.dot(p), y_.dot(p), z_.dot(p)}; }
 
   /// A fan of triangles that face up and go around once has a simple outline; then the other patch,
   /// whose triangles face up too, lies over it once.
@@ -69,11 +73,21 @@ class PatchDistance {
     return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
   }
 
+  using Place = Patch::const_iterator;
+
   static double vertices_over(const Patch& from, const Patch& onto) {
     double largest = 0.0;
-    for (const Triangle& t : from)
-      for (const Vector3& p : t) largest = std::max(largest, std::abs(p.z() - height(onto, p)));
+    for (Place t = from.begin(); t != from.end(); ++t)
+      for (const Vector3& p : *t) {
+        if (have_corner(onto.begin(), onto.end(), p) || have_corner(from.begin(), t, p)) continue;
+        largest = std::max(largest, std::abs(p.z() - height(onto, p)));
+      }
     return largest;
+  }
+
+  static bool have_corner(Place begin, Place end, const Vector3& p) {
+    return std::any_of(begin, end,
+                       [&](const Triangle& t) { return t[0] == p || t[1] == p || t[2] == p; });
   }
 
   /// The height of the triangle that p lies in, or lies least outside of by rounding.
@@ -89,23 +103,25 @@ class PatchDistance {
     return z;
   }
 
-  static double crossings(const Patch& p, const Patch& q) {
+  /// Of the fan's edges at its apex with the edges of the patch.
+  static double crossings(const Patch& patch, const Patch& fan, const Vector3& apex) {
     double largest = 0.0;
-    for (const Triangle& s : p)
-      for (const Triangle& t : q)
-        for (int i = 0; i < 3; ++i)
-          for (int j = 0; j < 3; ++j)
-            largest =
-                std::max(largest, gap_at_crossing(s[i], s[(i + 1) % 3], t[j], t[(j + 1) % 3]));
+    for (Place blade = fan.begin(); blade != fan.end(); ++blade)
+      for (const Vector3& end : *blade)
+        if (end != apex && !have_corner(fan.begin(), blade, end))
+          for (const Triangle& t : patch)
+            for (int i = 0; i < 3; ++i)
+              largest = std::max(largest, gap_at_crossing(apex, end, t[i], t[(i + 1) % 3]));
     return largest;
   }
 
   /// 0 where the edges do not cross, or run along each other: then their ends tell.
   static double gap_at_crossing(const Vector3& a, const Vector3& b, const Vector3& c,
                                 const Vector3& d) {
-    const double side_a = plane_area(c, d, a), side_b = plane_area(c, d, b);
     const double side_c = plane_area(a, b, c), side_d = plane_area(a, b, d);
-    if (side_a * side_b >= 0.0 || side_c * side_d >= 0.0) return 0.0;
+    if (side_c * side_d >= 0.0) return 0.0;
+    const double side_a = plane_area(c, d, a), side_b = plane_area(c, d, b);
+    if (side_a * side_b >= 0.0) return 0.0;
     const double s = side_a / (side_a - side_b), t = side_c / (side_c - side_d);
     return std::abs(a.z() + s * (b.z() - a.z()) - c.z() - t * (d.z() - c.z()));
   }

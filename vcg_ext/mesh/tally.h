@@ -66,9 +66,11 @@ struct Tally {
 
   void note_size(double size) { largest_removed = std::max(largest_removed, size); }
 
+  void note_error(double error) { largest_error = std::max(largest_error, error); }
+
   void count_step(double cost, double error) {
     cost_last = cost;
-    largest_error = std::max(largest_error, error);
+    note_error(error);
   }
 
   /// To be told when all that is left is asked about.

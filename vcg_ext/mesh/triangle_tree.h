@@ -67,6 +67,11 @@ class TriangleTree {
     return search(p, hint, std::numeric_limits<double>::infinity(), any_face);
   }
 
+  /// The nearest point within the root of limit2; not found where there is none.
+  SurfacePoint nearest_within(const Vector3& p, double limit2, int hint) const {
+    return search(p, hint, limit2, any_face);
+  }
+
   /// The nearest point on faces that do not face away from `normal`, within the root of limit2; not
   /// found where there is none.
   SurfacePoint nearest_facing(const Vector3& p, const Vector3& normal, double limit2,

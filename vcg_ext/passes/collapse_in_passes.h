@@ -11,6 +11,7 @@
 #include "vcg_ext/mesh/seams.h"
 #include "vcg_ext/mesh/working_mesh.h"
 #include "vcg_ext/passes/pass_schedule.h"
+#include "vcg_ext/passes/passes_within.h"
 
 namespace curvdecim::detail {
 
@@ -111,18 +112,21 @@ std::optional<PassSurface> prepare(WorkingMesh& mesh, MetricType& metric, const 
 }
 
 /// Collapses edges of the surface in passes until it has about as many faces as the plan says, and
-/// gives what is left to the mesh. Returns how many steps the record has then. Throws
-/// CancelRequest.
+/// gives what is left to the mesh. Where there is a bound, it has begun with that. Returns how many
+/// steps the record has then. Throws CancelRequest.
 template <class MetricType>
 int collapse_in_passes(PassSurface surface, WorkingMesh& mesh, MetricType& metric,
-                       const CollapsePlan& plan, BlendRecord& record, const Parallel& parallel,
-                       Tally& tally) {
+                       const CollapsePlan& plan, BlendRecord& record, SurfaceBound* bound,
+                       const Parallel& parallel, Tally& tally) {
   if constexpr (!HasPasses<MetricType>::value) {
     return 0;
   } else {
     {
       PassSchedule passes(surface, metric, plan, parallel);
-      passes.run(record);
+      if (bound)
+        run_within(*bound, passes, surface, record, parallel, tally);
+      else
+        passes.run(record);
       tally.count_step(passes.largest_cost(), 0.0);
     }
     join(std::move(surface), mesh, metric, parallel);

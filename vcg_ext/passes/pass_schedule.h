@@ -31,14 +31,17 @@ class PassSchedule {
 
   /// record: gets the steps. Throws CancelRequest.
   void run(BlendRecord& record) {
-    bool worth_while = true;
-    while (worth_while && faces_to_go() > 0 && surface_.is_mostly_free()) {
-      const int before = surface_.face_count();
-      const int expected = std::min(faces_to_go(), static_cast<int>(usual_share * before));
-      parallel_.progress().along(plan_.stop.progress(before),
-                                 plan_.stop.progress(before - expected), [&] { pass(record); });
-      worth_while = before - surface_.face_count() > least_share * before;
-    }
+    while (step(record)) continue;
+  }
+
+  /// One pass, if one is to come; false: no other is worth while.
+  bool step(BlendRecord& record) {
+    if (faces_to_go() <= 0 || !surface_.is_mostly_free()) return false;
+    const int before = surface_.face_count();
+    const int expected = std::min(faces_to_go(), static_cast<int>(usual_share * before));
+    parallel_.progress().along(plan_.stop.progress(before), plan_.stop.progress(before - expected),
+                               [&] { pass(record); });
+    return before - surface_.face_count() > least_share * before;
   }
 
   /// What the dearest collapse of the last pass cost.

@@ -52,6 +52,8 @@ struct PassSurface {
   /// of its plane.
   static constexpr float half_a_third = 0.5f / 3.0f;
 
+  Triangle triangle(int f) const { return triangle_of(position, faces[f]); }
+
   int vertex_count() const { return static_cast<int>(position.size()); }
   int face_count() const { return static_cast<int>(faces.size()); }
 

@@ -34,14 +34,14 @@ inline Schedule schedule_of(Scheduler scheduler, bool keeps_topology) {
 
 /// At the end of a run single collapses count, and what passes hold has its turn; the less of it,
 /// the faster (docs/decisions/passes.md).
-inline int passes_goal(Scheduler scheduler, const StopCriterion& stop) {
+inline int passes_goal(Scheduler scheduler, const StopCriterion& stop, bool is_bounded) {
   struct Goal {
     double least;  // faces: on smaller meshes single collapses count
     double times_target;
   };
   constexpr Goal fast{1000.0, 1.1}, others{10000.0, 1.25};
   if (scheduler != Scheduler::Rounds && scheduler != Scheduler::FewRounds) return no_passes;
-  const Goal goal = scheduler == Scheduler::FewRounds ? fast : others;
+  const Goal goal = scheduler == Scheduler::FewRounds || is_bounded ? fast : others;
   const double target = stop.start - stop.faces_to_go();
   return static_cast<int>(std::max(goal.least, goal.times_target * target));
 }
@@ -114,8 +114,8 @@ inline std::optional<CollapsePlan> plan_collapse(const EdgeCollapseParams& reque
   plan->limits.topology_gives_way = plan->limits.topology_gives_way && keeps_links;
   if (params.plane_weight == PlaneWeight::Unit) plan->cost_unit = CostUnit::SquaredLength;
   plan->pair_distance = params.pair_distance / input.diagonal;
-  if (keeps_links && params.max_error == 0.0)
-    plan->schedule.passes_goal = passes_goal(params.scheduler, plan->stop);
+  if (keeps_links)
+    plan->schedule.passes_goal = passes_goal(params.scheduler, plan->stop, params.max_error > 0.0);
   // No bound is known for a vertex that moves on its own, and HalfEdge moves none.
   if (params.max_error == 0.0 && params.placement != Placement::HalfEdge)
     plan->refine_sweeps = params.refine_sweeps;
