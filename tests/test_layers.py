@@ -9,13 +9,21 @@ from pathlib import Path
 import pytest
 
 CORE = Path(__file__).resolve().parents[1] / "vcg_ext"
-PUBLIC_DATA = ("params.h", "report.h", "errors.h", "field.h", "vertex_map.h")
+PUBLIC_DATA = (
+    "params.h",
+    "error_params.h",
+    "report.h",
+    "error_report.h",
+    "errors.h",
+    "field.h",
+    "vertex_map.h",
+)
 LAYERS = (
     "public headers",
     "decimate_by_collapse.h",
     "host_mesh",
     "run",
-    "refine",
+    "refine measure",
     "passes",
     "attributes",
     "collapse removal clustering",
