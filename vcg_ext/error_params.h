@@ -18,8 +18,7 @@ constexpr auto labels(RelativeTo) { return std::array{"MeshUnit", "Diagonal", "T
 
 /// How the error of a simplification is measured.
 struct ErrorParams {
-  int samples =
-      0;  ///< on each surface; 0: 200,000, or two a vertex of the original if that is more
+  int sample_num = 0;  ///< on each surface; 0: 100,000, or one a vertex of the original if more
   RelativeTo relative_to = RelativeTo::MeshUnit;
   double tolerance = 0.0;     ///< the share of the surface beyond it is told; 0: none
   bool save_quality = false;  ///< writes to each vertex how far the other surface is
@@ -27,7 +26,7 @@ struct ErrorParams {
 
   static constexpr auto fields() {
     using P = ErrorParams;
-    return std::tuple(Field("samples", &P::samples, between(0.0, most_samples, "samples")),
+    return std::tuple(Field("sample_num", &P::sample_num, between(0.0, most_samples, "samples")),
                       Field("relative_to", &P::relative_to),
                       Field("tolerance", &P::tolerance, at_least(0.0, length_unit)),
                       Field("save_quality", &P::save_quality),

@@ -90,10 +90,10 @@ TEST(SimplificationError, IsTheSameInSinglePrecisionButForRounding) {
 TEST(SimplificationError, RepeatsWithinItsNoiseForOtherSamples) {
   ErrorParams params;
   const ErrorReport report = error_between(original(), simplified(), params);
-  params.samples = 345'678;
+  params.sample_num = 345'678;
   const ErrorReport other = error_between(original(), simplified(), params);
-  EXPECT_EQ(report.samples, 200'000);
-  EXPECT_EQ(other.samples, params.samples);
+  EXPECT_EQ(report.samples, 100'000);
+  EXPECT_EQ(other.samples, params.sample_num);
   EXPECT_NEAR(other.rms, report.rms, 2e-3 * report.rms);
   EXPECT_NEAR(other.normal_deviation, report.normal_deviation, 5e-3 * report.normal_deviation);
 }
@@ -122,7 +122,7 @@ TEST(SimplificationError, WritesDistancesAsQuality) {
 TEST(SimplificationError, IsCancelledAtAnyCall) {
   ErrorParams params;
   params.save_quality = true;
-  params.samples = 2000;
+  params.sample_num = 2000;
   for (int last = 1;; ++last) {
     Pair pair(plane_grid(6), plane_grid(3));
     const std::string before = pair.bytes();
@@ -175,8 +175,8 @@ TEST(SimplificationError, RefusesParametersThatMakeNoSense) {
   params.tolerance = -1.0;
   EXPECT_NE(message(params).find("tolerance is -1"), std::string::npos);
   params = {};
-  params.samples = -1;
-  EXPECT_NE(message(params).find("samples is -1"), std::string::npos);
+  params.sample_num = -1;
+  EXPECT_NE(message(params).find("sample_num is -1"), std::string::npos);
 }
 
 /// The unit square with a texture of its size, moved by a step; the second mesh is cut otherwise.

@@ -33,7 +33,7 @@ ErrorReport error_between_float(const Shape& original, const Shape& simplified,
 
 SurfaceFigures figures_of(const Shape& shape) {
   ErrorParams few;
-  few.samples = 1000;
+  few.sample_num = 1000;
   return error_between(shape, shape, few).original;
 }
 

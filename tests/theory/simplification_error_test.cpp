@@ -87,7 +87,7 @@ Shape lifted_square(bool between_lifted) {
 
 TEST(SimplificationError, MaximumLooksAlongEdges) {
   ErrorParams params;
-  params.samples = 1;  // which is nowhere near the middle of the diagonal
+  params.sample_num = 1;  // which is nowhere near the middle of the diagonal
   const ErrorReport report = error_between(lifted_square(true), lifted_square(false), params);
   EXPECT_NEAR(report.max, std::sqrt(1.0 / 3.0), 1e-12);
 }
@@ -124,10 +124,11 @@ TEST(SimplificationError, TellsTheShareBeyondATolerance) {
   const Shape ramp = mapped(flat, [](const Point& p) { return Point(p.x(), p.y(), 1e-3 * p.x()); });
   ErrorParams params;
   params.tolerance = 0.25e-3;
+  EXPECT_NEAR(error_between(flat, ramp, params).beyond_tolerance, 0.75, noise);
+  params.relative_to = RelativeTo::Tolerance;
   const ErrorReport report = error_between(flat, ramp, params);
-  EXPECT_NEAR(report.beyond_tolerance, 0.75, noise);
   EXPECT_NEAR(report.histogram.share.back(), 0.75, noise);
-  EXPECT_EQ(report.histogram.end, params.tolerance);
+  EXPECT_NEAR(report.histogram.end, 1.0, 1e-15);
   EXPECT_EQ(error_between(flat, ramp).beyond_tolerance, 0.0);
 }
 

@@ -27,27 +27,29 @@ class AreaSamples {
   /// The area that a sample stands for, in the box of diagonal 1.
   double share() const { return area_up_to_.back() / count_; }
 
-  /// use(sample, face, weight) for all samples, on all cores: in runs of neighbours. begin_run() is
-  /// called before each and gives what use gets as well.
-  template <class BeginRun, class Use>
-  void for_each(const Parallel& parallel, BeginRun begin_run, Use use) const {
-    const int runs = count_ / run_length + (count_ % run_length != 0);
+  /// use(sample, face, weight) for all samples, on all cores.
+  template <class Use>
+  void for_each(const Parallel& parallel, Use use) const {
     parallel.for_each(
-        runs,
-        [&](int run) {
-          auto of_run = begin_run();
-          const int begin = run * run_length, end = begin + std::min(run_length, count_ - begin);
-          int face = face_at(begin);
-          for (int i = begin; i < end; ++i) {
-            while (area_up_to_[face] <= area_before(i) && face + 1 < face_count()) ++face;
-            use(of_run, i, face, weight(i));
-          }
-        },
-        Parallel::heavy);
+        runs(), [&](int run) { for_run(run, use); }, Parallel::heavy);
+  }
+
+  /// Runs of samples that are neighbours, so that a thread can take each as a whole.
+  int runs() const { return count_ / run_length + (count_ % run_length != 0); }
+
+  /// use(sample, face, weight) for those of a run.
+  template <class Use>
+  void for_run(int run, Use use) const {
+    const int begin = run * run_length, end = begin + std::min(run_length, count_ - begin);
+    int face = face_at(begin);
+    for (int i = begin; i < end; ++i) {
+      while (area_up_to_[face] <= area_before(i) && face + 1 < face_count()) ++face;
+      use(i, face, weight(i));
+    }
   }
 
  private:
-  static constexpr int run_length = 64;
+  static constexpr int run_length = 1024;
 
   int face_count() const { return static_cast<int>(area_up_to_.size()); }
 

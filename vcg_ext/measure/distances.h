@@ -3,8 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <tuple>
+#include <utility>
 #include <vector>
 
+#include "vcg_ext/geometry/morton.h"
 #include "vcg_ext/measure/area_samples.h"
 #include "vcg_ext/measure/fixed_blocks.h"
 #include "vcg_ext/measure/measured_surface.h"
@@ -16,6 +20,8 @@ inline double degrees_between(const Vector3& a, const Vector3& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b)) * (180.0 / M_PI);
 }
 
+inline constexpr Grain one_run{1, 1 << 6};  ///< some hundred searches
+
 /// What samples of a surface see of another one, by sample.
 struct Readings {
   Array<double> distance;  // to the nearest point, in the box of diagonal 1
@@ -24,40 +30,110 @@ struct Readings {
   int count() const { return static_cast<int>(distance.size()); }
 };
 
-/// A point looks first at the face that its neighbour is nearest to: most are near it, too.
+/// A sample with its place on the curve through space.
+struct SampleInSpace {
+  std::uint64_t code;
+  int number, face;
+  Vector3 point;
+};
+
+/// Those of a run along the curve: a point then looks first at the face that the one before it is
+/// nearest to, and most are near it, too.
+inline std::vector<SampleInSpace> along_curve(const MeasuredSurface& from,
+                                              const AreaSamples& samples, int run) {
+  std::vector<SampleInSpace> order;
+  samples.for_run(run, [&](int i, int face, const Barycentric& weight) {
+    const Vector3 p = at(from.triangle(face), weight);
+    order.push_back({morton_code(p.cwiseMax(-0.5).cwiseMin(0.5)), i, face, p});
+  });
+  std::sort(order.begin(), order.end(), [](const SampleInSpace& a, const SampleInSpace& b) {
+    return std::tie(a.code, a.number) < std::tie(b.code, b.number);
+  });
+  return order;
+}
+
 inline Readings read_samples(const MeasuredSurface& from, const AreaSamples& samples,
                              const MeasuredSurface& to, const Parallel& parallel) {
   Readings readings;
   readings.distance.resize(samples.count()), readings.turn.resize(samples.count());
-  samples.for_each(
-      parallel, [] { return int{SurfacePoint::none}; },
-      [&](int& hint, int i, int face, const Barycentric& weight) {
-        const SurfacePoint found = to.nearest(at(from.triangle(face), weight), hint);
-        hint = found.face;
-        readings.distance[i] = std::sqrt(found.distance2);
-        readings.turn[i] = degrees_between(from.plane(face).normal, to.plane(found.face).normal);
-      });
+  const auto read_run = [&](int run) {
+    int hint = SurfacePoint::none;
+    for (const SampleInSpace& sample : along_curve(from, samples, run)) {
+      const SurfacePoint found = to.nearest(sample.point, hint);
+      hint = found.face;
+      readings.distance[sample.number] = std::sqrt(found.distance2);
+      readings.turn[sample.number] =
+          degrees_between(from.plane(sample.face).normal, to.plane(hint).normal);
+    }
+  };
+  parallel.for_each(samples.runs(), read_run, one_run);
   return readings;
+}
+
+/// work(begin, end) for runs of neighbours that cover 0..count. The runs do not depend on the
+/// number of threads: what one starts with may show in the last bit.
+template <class Work>
+void for_runs(int count, const Parallel& parallel, Work work) {
+  constexpr int length = 256;
+  parallel.for_each(
+      count / length + (count % length != 0),
+      [&](int run) {
+        const int begin = run * length;
+        work(begin, begin + std::min(length, count - begin));
+      },
+      one_run);
 }
 
 /// Of points, neighbours of which are neighbours in space, to a surface.
 inline std::vector<double> distances_of(const std::vector<Vector3>& points,
                                         const MeasuredSurface& to, const Parallel& parallel) {
-  constexpr int run_length = 64;
-  const int count = static_cast<int>(points.size());
-  std::vector<double> distance(count);
-  parallel.for_each((count + run_length - 1) / run_length,
-                    [&](int run) {
-                      int hint = SurfacePoint::none;
-                      for (int i = run * run_length; i < std::min(count, (run + 1) * run_length);
-                           ++i) {
-                        const SurfacePoint found = to.nearest(points[i], hint);
-                        hint = found.face;
-                        distance[i] = std::sqrt(found.distance2);
-                      }
-                    },
-                    Parallel::heavy);
+  std::vector<double> distance(points.size());
+  for_runs(static_cast<int>(points.size()), parallel, [&](int begin, int end) {
+    int hint = SurfacePoint::none;
+    for (int i = begin; i < end; ++i) {
+      const SurfacePoint found = to.nearest(points[i], hint);
+      hint = found.face;
+      distance[i] = std::sqrt(found.distance2);
+    }
+  });
   return distance;
+}
+
+/// Looks for the point that is farthest from a surface. Most are not: to know that, it is enough
+/// that the face that the last one was nearest to is nearer than the farthest that is known.
+class FarthestPoint {
+ public:
+  /// known: the distance of a point before.
+  FarthestPoint(const MeasuredSurface& to, double known) : to_(to), distance2_(known * known) {}
+
+  void look_at(const Vector3& p) {
+    if (hint_ != SurfacePoint::none && squared_distance(to_.triangle(hint_), p) <= distance2_)
+      return;
+    const SurfacePoint found = to_.nearest(p, hint_);
+    hint_ = found.face;
+    distance2_ = std::max(distance2_, found.distance2);
+  }
+
+  double distance() const { return std::sqrt(distance2_); }
+
+ private:
+  const MeasuredSurface& to_;
+  double distance2_;
+  int hint_ = SurfacePoint::none;
+};
+
+/// The largest distance of what look(i, farthest) looks at for all i below count, neighbours after
+/// each other, or the known one if that is larger.
+template <class Look>
+double farthest(int count, double known, const MeasuredSurface& to, const Parallel& parallel,
+                Look look) {
+  std::vector<double> distance(count, known);  // at the first of each run
+  for_runs(count, parallel, [&](int begin, int end) {
+    FarthestPoint point(to, known);
+    for (int i = begin; i < end; ++i) look(i, point);
+    distance[begin] = std::max(known, point.distance());
+  });
+  return *std::max_element(distance.begin(), distance.end());
 }
 
 /// True for the first of the faces at an edge: each edge counts once.
@@ -68,41 +144,27 @@ inline bool is_first_at_edge(const TriangleConnectivity& connectivity, int f, in
                       [&](int g) { return g < f && connectivity.face_has(g, b); });
 }
 
-/// The largest distance of points along an edge, their ends left out: at the spacing of samples,
-/// and in the middle at least.
-inline double largest_along(const Vector3& a, const Vector3& b, double spacing,
-                            const MeasuredSurface& to, int& hint) {
+/// Looks at points along an edge, its ends left out: at the spacing of samples, and at the middle.
+inline void look_along(const Vector3& a, const Vector3& b, double spacing,
+                       FarthestPoint& farthest) {
   constexpr double most_points = 1024.0;  // of an edge that is much longer than the other surface
   const int points = static_cast<int>(std::clamp((b - a).norm() / spacing, 1.0, most_points));
-  double largest2 = 0.0;
-  for (int k = 1; k <= points; ++k) {
-    const SurfacePoint found = to.nearest(a + (k / (points + 1.0)) * (b - a), hint);
-    hint = found.face;
-    largest2 = std::max(largest2, found.distance2);
-  }
-  return std::sqrt(largest2);
+  for (int k = 1; k <= points; ++k) farthest.look_at(a + (k / (points + 1.0)) * (b - a));
 }
 
-/// The largest distance of points along all edges of a surface to another.
-inline double largest_along_edges(const MeasuredSurface& from, double spacing,
-                                  const MeasuredSurface& to, const Parallel& parallel) {
+/// The largest distance of points along all edges of a surface to another, or the known one.
+inline double farthest_along_edges(const MeasuredSurface& from, double spacing, double known,
+                                   const MeasuredSurface& to, const Parallel& parallel) {
   const WorkingMesh& mesh = from.mesh();
-  std::vector<double> largest(from.face_count(), 0.0);
-  parallel.for_each(
-      from.face_count(),
-      [&](int i) {
-        const int f = from.number_in_mesh(i);
-        const Face& face = mesh.connectivity.face(f);
-        int hint = SurfacePoint::none;
-        for (int k = 0; k < 3; ++k) {
-          const int a = face[k], b = face[(k + 1) % 3];
-          if (!is_first_at_edge(mesh.connectivity, f, a, b)) continue;
-          largest[i] = std::max(
-              largest[i], largest_along(mesh.position[a], mesh.position[b], spacing, to, hint));
-        }
-      },
-      Parallel::heavy);
-  return *std::max_element(largest.begin(), largest.end());
+  return farthest(from.face_count(), known, to, parallel, [&](int i, FarthestPoint& point) {
+    const int f = from.number_in_mesh(i);
+    const Face& face = mesh.connectivity.face(f);
+    for (int k = 0; k < 3; ++k) {
+      const int a = face[k], b = face[(k + 1) % 3];
+      if (is_first_at_edge(mesh.connectivity, f, a, b))
+        look_along(mesh.position[a], mesh.position[b], spacing, point);
+    }
+  });
 }
 
 /// Faces that are turned by more than 90 degrees against the original, at their middle.

@@ -2,11 +2,10 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
-#include <cstdint>
 #include <vector>
 
-#include "vcg_ext/measure/fixed_blocks.h"
 #include "vcg_ext/measure/measured_surface.h"
 
 namespace curvdecim::detail {
@@ -32,61 +31,70 @@ inline bool pierces(const Vector3& a, const Vector3& b, const Triangle& t, const
   return is_inside(t, normal, a + (above / (above - below)) * (b - a));
 }
 
+/// True if a triangle reaches through the plane of another one.
+inline bool reaches_through(const Triangle& t, const Vector3& on_plane, const Vector3& normal) {
+  double low = 0.0, high = 0.0;
+  for (const Vector3& p : t) {
+    const double height = normal.dot(p - on_plane);
+    low = std::min(low, height), high = std::max(high, height);
+  }
+  return low < -crossing_depth && high > crossing_depth;
+}
+
 /// Which faces of a surface cross another one. Faces with an edge in common lie on each other or do
 /// not cross: those are folded. Faces with a vertex in common cross where the edge across from it
 /// goes through the other face; faces in one plane do not cross.
 class Intersections {
  public:
-  explicit Intersections(const MeasuredSurface& surface) : surface_(surface) {}
+  explicit Intersections(const MeasuredSurface& surface)
+      : surface_(surface), crosses_(surface.face_count()) {}
 
-  int count(const Parallel& parallel) const {
-    return static_cast<int>(
-        sum_of(surface_.face_count(), parallel, [&](int i) { return crosses_any(i) ? 1.0 : 0.0; }));
+  int count(const Parallel& parallel) {
+    parallel.for_each(
+        surface_.face_count(), [&](int i) { find_crossed(i); }, Parallel::heavy);
+    return static_cast<int>(std::count(crosses_.begin(), crosses_.end(), true));
   }
 
  private:
-  const Face& corners_of(int i) const {
-    return surface_.mesh().connectivity.face(surface_.number_in_mesh(i));
-  }
-
-  bool crosses_any(int i) const {
+  /// Both faces of a pair are marked, from the one with the lower number: whatever the order, the
+  /// marks in the end are the same.
+  void find_crossed(int i) {
     const Triangle& t = surface_.triangle(i);
     const Vector3 middle = center_of(t);
     double radius2 = 0.0;
     for (const Vector3& p : t) radius2 = std::max(radius2, (p - middle).squaredNorm());
-    bool found = false;
     surface_.tree().visit_near(middle, radius2, [&](int j) {
-      found = found || (j != i && may_meet(t, surface_.triangle(j)) && cross(i, j));
+      if (j <= i || !cross(i, j)) return;
+      crosses_[i].store(true, std::memory_order_relaxed);
+      crosses_[j].store(true, std::memory_order_relaxed);
     });
-    return found;
-  }
-
-  /// False where their boxes are apart.
-  static bool may_meet(const Triangle& s, const Triangle& t) {
-    for (int k = 0; k < 3; ++k) {
-      const auto [low_s, high_s] = std::minmax({s[0][k], s[1][k], s[2][k]});
-      const auto [low_t, high_t] = std::minmax({t[0][k], t[1][k], t[2][k]});
-      if (high_s < low_t || high_t < low_s) return false;
-    }
-    return true;
   }
 
   bool cross(int i, int j) const {
-    const Face &f = corners_of(i), &g = corners_of(j);
-    const auto is_shared = [&](int v) { return std::find(g.begin(), g.end(), v) != g.end(); };
-    if (std::count_if(f.begin(), f.end(), is_shared) > 1) return false;
-    return an_edge_pierces(i, j) || an_edge_pierces(j, i);
+    const Triangle &s = surface_.triangle(i), &t = surface_.triangle(j);
+    return reaches_through(t, s[0], surface_.plane(i).normal) &&
+           reaches_through(s, t[0], surface_.plane(j).normal) && shared_vertices(i, j) < 2 &&
+           (an_edge_pierces(s, j) || an_edge_pierces(t, i));
   }
 
-  /// An edge of face i through face j. One from a vertex that they share only touches it there.
-  bool an_edge_pierces(int i, int j) const {
-    const Triangle &edges = surface_.triangle(i), &t = surface_.triangle(j);
+  int shared_vertices(int i, int j) const {
+    const TriangleConnectivity& connectivity = surface_.mesh().connectivity;
+    int shared = 0;
+    for (int v : connectivity.face(surface_.number_in_mesh(i)))
+      shared += connectivity.face_has(surface_.number_in_mesh(j), v);
+    return shared;
+  }
+
+  /// An edge from a vertex that the faces share only touches face j there.
+  bool an_edge_pierces(const Triangle& edges, int j) const {
+    const Triangle& t = surface_.triangle(j);
     const Vector3& normal = surface_.plane(j).normal;
     return pierces(edges[0], edges[1], t, normal) || pierces(edges[1], edges[2], t, normal) ||
            pierces(edges[2], edges[0], t, normal);
   }
 
   const MeasuredSurface& surface_;
+  std::vector<std::atomic<bool>> crosses_;  // by face
 };
 
 }  // namespace curvdecim::detail

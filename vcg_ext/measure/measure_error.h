@@ -30,14 +30,14 @@ struct ErrorInput {
 /// What was measured.
 struct MeasuredError {
   ErrorReport report;
-  std::vector<double> at_original, at_simplified;  // by vertex of the surfaces: to the other one
+  std::vector<double> at_original, at_simplified;  // with save_quality: by vertex, to the other one
 };
 
 /// So many that the RMS repeats within about 0.2 %.
 inline int sample_count(const ErrorParams& params, const MeasuredSurface& original) {
-  constexpr std::size_t least = 200'000, per_vertex = 2;
-  if (params.samples > 0) return params.samples;
-  return static_cast<int>(std::max(least, per_vertex * original.vertices().size()));
+  constexpr std::size_t least = 100'000;
+  if (params.sample_num > 0) return params.sample_num;
+  return static_cast<int>(std::max(least, original.vertices().size()));
 }
 
 /// A length in the box of diagonal 1, in what the parameters ask for.
@@ -85,14 +85,27 @@ class ErrorMeasurement {
   void read(const ErrorInput& from, const AreaSamples& samples, const ErrorInput& to,
             Direction& direction) const {
     direction.readings = read_samples(*from.surface, samples, *to.surface, parallel_);
-    direction.of_vertices = distances_of(from.surface->vertices(), *to.surface, parallel_);
-    const double of_edges =
-        largest_along_edges(*from.surface, std::sqrt(samples.share()), *to.surface, parallel_);
-    const double of_samples = largest_of(samples.count(), parallel_,
-                                         [&](int i) { return direction.readings.distance[i]; });
-    const double of_vertices =
-        *std::max_element(direction.of_vertices.begin(), direction.of_vertices.end());
-    direction.largest = std::max({of_edges, of_samples, of_vertices});
+    direction.largest = largest_of(samples.count(), parallel_,
+                                   [&](int i) { return direction.readings.distance[i]; });
+    read_vertices(*from.surface, *to.surface, direction);
+    direction.largest = farthest_along_edges(*from.surface, std::sqrt(samples.share()),
+                                             direction.largest, *to.surface, parallel_);
+  }
+
+  void read_vertices(const MeasuredSurface& from, const MeasuredSurface& to,
+                     Direction& direction) const {
+    const std::vector<Vector3>& vertices = from.vertices();
+    const int count = static_cast<int>(vertices.size());
+    if (params_.save_quality) {
+      direction.of_vertices = distances_of(vertices, to, parallel_);
+      direction.largest =
+          std::max(direction.largest,
+                   *std::max_element(direction.of_vertices.begin(), direction.of_vertices.end()));
+    } else {
+      direction.largest =
+          farthest(count, direction.largest, to, parallel_,
+                   [&](int v, FarthestPoint& point) { point.look_at(vertices[v]); });
+    }
   }
 
   template <class Value>
@@ -122,8 +135,9 @@ class ErrorMeasurement {
     });
     report_.rms_salient = std::sqrt(squares / salient);
     report_.flipped = count_flipped(*simplified_.surface, *original_.surface, parallel_);
-    const double end = params_.tolerance > 0.0 ? params_.tolerance / diagonal_
-                                               : end_of_scale(forth_.readings, back_.readings);
+    const double end = params_.relative_to == RelativeTo::Tolerance
+                           ? params_.tolerance / diagonal_
+                           : end_of_scale(forth_.readings, back_.readings);
     report_.histogram = histogram_of(forth_.readings, back_.readings, end);
   }
 

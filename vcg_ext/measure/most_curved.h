@@ -34,13 +34,11 @@ class MostCurved {
       : curvature_(samples.count()) {
     const WorkingMesh& mesh = surface.mesh();
     const std::vector<double> at_vertex = angle_defects(mesh, parallel);
-    samples.for_each(
-        parallel, [] { return 0; },
-        [&](int, int i, int face, const Barycentric& weight) {
-          const Face& corners = mesh.connectivity.face(surface.number_in_mesh(face));
-          curvature_[i] = weight[0] * at_vertex[corners[0]] + weight[1] * at_vertex[corners[1]] +
-                          weight[2] * at_vertex[corners[2]];
-        });
+    samples.for_each(parallel, [&](int i, int face, const Barycentric& weight) {
+      const Face& corners = mesh.connectivity.face(surface.number_in_mesh(face));
+      curvature_[i] = weight[0] * at_vertex[corners[0]] + weight[1] * at_vertex[corners[1]] +
+                      weight[2] * at_vertex[corners[2]];
+    });
     least_ = least_of_largest(curvature_, salient_share);
   }
 

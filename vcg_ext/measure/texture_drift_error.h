@@ -25,16 +25,13 @@ inline TextureDriftError texture_drift(const TexturedSurface& original,
   constexpr double not_drawn = -1.0, nowhere = -2.0;
   const TextureAtlas atlas(original.surface, original.wedges, parallel);
   std::vector<double> drift(samples.count());
-  samples.for_each(
-      parallel, [] { return 0; },
-      [&](int, int i, int face, const Barycentric& weight) {
-        const FaceWedges& wedges = simplified.wedges[face];
-        drift[i] =
-            !is_drawn(wedges)
-                ? not_drawn
-                : atlas.drift(at(wedges, weight), at(simplified.surface.triangle(face), weight))
-                      .value_or(nowhere);
-      });
+  samples.for_each(parallel, [&](int i, int face, const Barycentric& weight) {
+    const FaceWedges& wedges = simplified.wedges[face];
+    drift[i] = !is_drawn(wedges)
+                   ? not_drawn
+                   : atlas.drift(at(wedges, weight), at(simplified.surface.triangle(face), weight))
+                         .value_or(nowhere);
+  });
   const int count = samples.count();
   const auto share_where = [&](auto holds) {
     return sum_of(count, parallel, [&](int i) { return holds(drift[i]) ? 1.0 : 0.0; });

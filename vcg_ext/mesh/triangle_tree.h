@@ -79,14 +79,6 @@ class TriangleTree {
     return search(p, hint, limit2, [&](const Vector3& n) { return n.dot(normal) >= 0.0; });
   }
 
-  /// use(f) for every face that may be nearer to p than the root of limit2, and some others.
-  template <class Use>
-  void visit_near(const Vector3& p, double limit2, Use use) const {
-    boxes_.visit_near(p, limit2, [&](int leaf) {
-      for (int f : faces_of(leaf)) use(f);
-    });
-  }
-
   const Surface& surface() const { return surface_; }
 
  private:
