@@ -5,6 +5,7 @@
 #include "filter_curvdecim/filters/algebraic_sphere.h"
 #include "filter_curvdecim/filters/curvature_importance.h"
 #include "filter_curvdecim/filters/edge_collapse.h"
+#include "filter_curvdecim/filters/simplification_error.h"
 #include "filter_curvdecim/filters/vertex_clustering.h"
 #include "filter_curvdecim/filters/vertex_removal.h"
 #include "filter_curvdecim/table/filter.h"
@@ -18,7 +19,8 @@ using AllFilters = FilterList<
     AlgebraicSphereFilter,
     VertexRemovalFilter,
     VertexClusteringFilter,
-    CurvatureImportanceFilter>;
+    CurvatureImportanceFilter,
+    SimplificationErrorFilter>;
 // clang-format on
 
 }  // namespace curvdecim::glue

@@ -24,11 +24,52 @@ int count_selected(const Elements& elements) {
   }));
 }
 
-MeshFacts facts_of(const MeshModel* mesh) {
-  if (!mesh) return {};
-  const CMeshO& cm = mesh->cm;
-  return {cm.fn, count_selected(cm.face),
-          cm.bbox.IsNull() ? 0.0 : static_cast<double>(cm.bbox.Diag())};
+MeshFacts facts_of(const MeshDocument& document) {
+  MeshFacts facts;
+  const auto layers = layers_of(document);
+  if (!layers.empty()) {
+    facts.first_layer = static_cast<int>(layers.front()->id());
+    facts.second_layer = static_cast<int>(layers[layers.size() > 1]->id());
+  }
+  if (const MeshModel* mesh = document.mm()) {
+    const CMeshO& cm = mesh->cm;
+    facts.faces = cm.fn, facts.selected_faces = count_selected(cm.face);
+    if (!cm.bbox.IsNull()) facts.diagonal = static_cast<double>(cm.bbox.Diag());
+  }
+  return facts;
+}
+
+[[noreturn]] void refuse_layer(const std::string& field, int number) {
+  throw InputError(field + " is " + std::to_string(number) + "; it must be " + layer_unit +
+                       ". No mesh was changed.",
+                   {field});
+}
+
+MeshModel& layer_of(MeshDocument& document, const std::string& field, int number) {
+  for (MeshModel* layer : layers_of(document))
+    if (static_cast<int>(layer->id()) == number) return *layer;
+  refuse_layer(field, number);
+}
+
+/// The layers that parameters name, each another one; without such parameters, the current one.
+std::vector<MeshModel*> meshes_of(const std::vector<Parameter>& parameters,
+                                  const std::vector<Value>& values, MeshDocument& document) {
+  std::vector<MeshModel*> meshes;
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    if (parameters[i].kind != Kind::Layer) continue;
+    MeshModel& layer = layer_of(document, parameters[i].field, std::get<int>(values[i]));
+    if (std::find(meshes.begin(), meshes.end(), &layer) != meshes.end())
+      throw InputError(layers_of(document).size() == 1
+                           ? "There is only one layer. Load the original and the simplified mesh "
+                             "as two layers."
+                           : parameters[i].field +
+                                 " is a layer that is chosen already. Choose "
+                                 "two different layers.",
+                       {parameters[i].field});
+    meshes.push_back(&layer);
+  }
+  if (meshes.empty()) meshes.push_back(document.mm());
+  return meshes;
 }
 
 Progress progress_of(vcg::CallBackPos* callback) {
@@ -104,20 +145,27 @@ int postcondition(const Action& action) {
   return mask;
 }
 
-RichParameterList default_parameters(const Action& action, const MeshModel* mesh) {
-  return rich_parameters(action.offered, facts_of(mesh));
+bool names_its_layers(const Action& action) {
+  return std::any_of(action.parameters.begin(), action.parameters.end(),
+                     [](const Parameter& each) { return each.kind == Kind::Layer; });
+}
+
+RichParameterList default_parameters(const Action& action, const MeshDocument& document) {
+  return rich_parameters(action.offered, facts_of(document), document);
 }
 
 Outcome apply(const Action& action, MeshDocument& document, const RichParameterList& parameters,
               vcg::CallBackPos* callback) {
-  MeshModel* mesh = document.mm();
-  if (!mesh) throw InputError("There is no current mesh; load a triangle mesh first.");
-  const auto values = read_values(action.parameters, parameters, facts_of(mesh));
-  const InputLayer input(action.parameters, values, *mesh);
+  if (!document.mm()) throw InputError("There is no current mesh; load a triangle mesh first.");
+  const auto values = read_values(action.parameters, parameters, facts_of(document));
   try {
-    const Outcome outcome = action.run(mesh->cm, values, progress_of(callback));
-    refresh(*mesh, outcome.changed);
-    input.add_to(document, *mesh);
+    const std::vector<MeshModel*> meshes = meshes_of(action.parameters, values, document);
+    const InputLayer input(action.parameters, values, *meshes.front());
+    std::vector<CMeshO*> surfaces;
+    for (MeshModel* mesh : meshes) surfaces.push_back(&mesh->cm);
+    const Outcome outcome = action.run(surfaces, values, progress_of(callback));
+    for (MeshModel* mesh : meshes) refresh(*mesh, outcome.changed);
+    input.add_to(document, *meshes.front());
     return outcome;
   } catch (const InputError& error) {
     throw in_names_of(action.parameters, error, name_for_user);

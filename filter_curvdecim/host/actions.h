@@ -25,11 +25,14 @@ constexpr int precondition = MeshModel::MM_FACENUMBER;
 /// What may have changed afterwards.
 int postcondition(const Action& action);
 
-/// Parameters with defaults for this mesh; `mesh` may be null.
-RichParameterList default_parameters(const Action& action, const MeshModel* mesh);
+/// True if its parameters say which layers it works on; else on the current one.
+bool names_its_layers(const Action& action);
 
-/// Runs a filter on the current mesh of the host; `callback` may be null. With KeepMap there is one
-/// more layer afterwards. Throws InputError; the document is then as it was.
+/// Parameters with defaults for this document and its current mesh, if there is one.
+RichParameterList default_parameters(const Action& action, const MeshDocument& document);
+
+/// Runs a filter; `callback` may be null. With KeepMap there is one more layer afterwards. Throws
+/// InputError; the document is then as it was.
 Outcome apply(const Action& action, MeshDocument& document, const RichParameterList& parameters,
               vcg::CallBackPos* callback);
 

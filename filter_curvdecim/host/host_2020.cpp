@@ -30,8 +30,8 @@ MeshFilterInterface::FilterClass FilterCurvDecimPlugin::getClass(QAction* action
   return glue::menu_class(glue::action_of(ID(action)));
 }
 
-MeshFilterInterface::FILTER_ARITY FilterCurvDecimPlugin::filterArity(QAction*) const {
-  return SINGLE_MESH;
+MeshFilterInterface::FILTER_ARITY FilterCurvDecimPlugin::filterArity(QAction* action) const {
+  return glue::names_its_layers(glue::action_of(ID(action))) ? FIXED : SINGLE_MESH;
 }
 
 int FilterCurvDecimPlugin::getPreConditions(QAction*) const { return glue::precondition; }
@@ -42,7 +42,7 @@ int FilterCurvDecimPlugin::postCondition(QAction* action) const {
 
 void FilterCurvDecimPlugin::initParameterSet(QAction* action, MeshDocument& document,
                                              RichParameterList& parameters) {
-  parameters = glue::default_parameters(glue::action_of(ID(action)), document.mm());
+  parameters = glue::default_parameters(glue::action_of(ID(action)), document);
 }
 
 bool FilterCurvDecimPlugin::applyFilter(QAction* action, MeshDocument& document,

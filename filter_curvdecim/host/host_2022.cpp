@@ -55,8 +55,8 @@ FilterPlugin::FilterClass FilterCurvDecimPlugin::getClass(const QAction* action)
   return glue::menu_class(glue::action_of(ID(action)));
 }
 
-FilterPlugin::FilterArity FilterCurvDecimPlugin::filterArity(const QAction*) const {
-  return SINGLE_MESH;
+FilterPlugin::FilterArity FilterCurvDecimPlugin::filterArity(const QAction* action) const {
+  return glue::names_its_layers(glue::action_of(ID(action))) ? FIXED : SINGLE_MESH;
 }
 
 int FilterCurvDecimPlugin::getPreConditions(const QAction*) const { return glue::precondition; }
@@ -67,7 +67,7 @@ int FilterCurvDecimPlugin::postCondition(const QAction* action) const {
 
 RichParameterList FilterCurvDecimPlugin::initParameterList(const QAction* action,
                                                            const MeshDocument& document) {
-  return glue::default_parameters(glue::action_of(ID(action)), document.mm());
+  return glue::default_parameters(glue::action_of(ID(action)), document);
 }
 
 std::map<std::string, QVariant> FilterCurvDecimPlugin::applyFilter(

@@ -31,7 +31,8 @@ struct Tag {
   using Type = T;
 };
 
-void add_parameter(RichParameterList& list, const Parameter& parameter, const MeshFacts& mesh) {
+void add_parameter(RichParameterList& list, const Parameter& parameter, const MeshFacts& mesh,
+                   const MeshDocument& document) {
   const Value value = default_value(parameter, mesh);
   const bool advanced = parameter.place.audience != Audience::Everyone;
   const QString heading = QString::fromStdString(parameter.place.heading);
@@ -50,6 +51,7 @@ void add_parameter(RichParameterList& list, const Parameter& parameter, const Me
     case Kind::Float: return add(Tag<RichFloat>(), std::get<double>(value));
     case Kind::Length: return add(Tag<RichLength>(), std::get<double>(value), 0, whole);
     case Kind::Enum: return add(Tag<RichEnum>(), std::get<int>(value), names_of(parameter.choices));
+    case Kind::Layer: return add(Tag<RichLayer>(), std::get<int>(value), &document);
   }
 }
 
@@ -67,6 +69,9 @@ Value read_value(const Parameter& parameter, const ::Value& value) {
     case Kind::Length:
       if (value.isFloat()) return as_typed(value.getFloat());
       break;
+    case Kind::Layer:
+      if (const auto number = layer_number(value)) return *number;
+      break;
   }
   throw InputError(parameter.name + " is given as " + value.typeName().toStdString() +
                    ", which is not its type. The mesh was not changed.");
@@ -74,9 +79,10 @@ Value read_value(const Parameter& parameter, const ::Value& value) {
 
 }  // namespace
 
-RichParameterList rich_parameters(const std::vector<Parameter>& parameters, const MeshFacts& mesh) {
+RichParameterList rich_parameters(const std::vector<Parameter>& parameters, const MeshFacts& mesh,
+                                  const MeshDocument& document) {
   RichParameterList list;
-  for (const Parameter& parameter : parameters) add_parameter(list, parameter, mesh);
+  for (const Parameter& parameter : parameters) add_parameter(list, parameter, mesh, document);
   return list;
 }
 

@@ -9,7 +9,8 @@
 namespace curvdecim::glue {
 
 /// The parameters of a filter for a host's dialog and scripts.
-RichParameterList rich_parameters(const std::vector<Parameter>& parameters, const MeshFacts& mesh);
+RichParameterList rich_parameters(const std::vector<Parameter>& parameters, const MeshFacts& mesh,
+                                  const MeshDocument& document);
 
 /// Their values in a host's list; a parameter that is not in the list has its default. Throws
 /// InputError.

@@ -5,13 +5,15 @@
 //   about()                      names and texts
 //   parameters()                 a row for each parameter, in the order of the dialog
 //   results()                    a row for each result, in the order of the log
-//   run(mesh, params, progress)  returns the report; throws InputError before the mesh is touched
+//   run(mesh, params, progress)  returns the report; throws InputError before the mesh is touched.
+//                                With two parameters that are a Layer: run(mesh, other, ...)
 //   changed(report)              what the run changed
 //   headline(report)             the same in a sentence; empty: nothing
 // Here it becomes a Filter, which looks like any other.
 #pragma once
 
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "filter_curvdecim/table/parameter_row.h"
@@ -43,9 +45,11 @@ struct FilterTable {
 /// A filter for hosts with meshes of this type.
 template <class MeshType>
 struct Filter : FilterTable {
-  /// values: one for each parameter, in their order. Throws InputError in the core's names; the
-  /// mesh is then as it was.
-  Outcome (*run)(MeshType& mesh, const std::vector<Value>& values, const Progress& progress);
+  /// meshes: those of the parameters that are a Layer, or the one that is to change. values: one
+  /// for each parameter, in their order. Throws InputError in the core's names; the meshes are then
+  /// as they were.
+  Outcome (*run)(const std::vector<MeshType*>& meshes, const std::vector<Value>& values,
+                 const Progress& progress);
 };
 
 template <class F>
@@ -63,10 +67,22 @@ Params with_values(const ParameterRows<Params>& rows, const std::vector<Value>& 
 }
 
 template <class F, class MeshType>
-Outcome run_filter(MeshType& mesh, const std::vector<Value>& values, const Progress& progress) {
+typename F::Report report_of(const std::vector<MeshType*>& meshes, const typename F::Params& params,
+                             const Progress& progress) {
+  using OnTwo =
+      typename F::Report(MeshType&, MeshType&, const typename F::Params&, const Progress&);
+  if constexpr (std::is_same_v<decltype(F::template run<MeshType>), OnTwo>)
+    return F::run(*meshes.at(0), *meshes.at(1), params, progress);
+  else
+    return F::run(*meshes.at(0), params, progress);
+}
+
+template <class F, class MeshType>
+Outcome run_filter(const std::vector<MeshType*>& meshes, const std::vector<Value>& values,
+                   const Progress& progress) {
   const auto rows = F::parameters();
   const typename F::Params params = with_values(rows, values);
-  const typename F::Report report = F::run(mesh, params, progress);
+  const auto report = report_of<F>(meshes, params, progress);
   return {F::headline(report), report.notes, results_of(F::results(), report, params),
           F::changed(report)};
 }

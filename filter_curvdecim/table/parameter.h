@@ -14,9 +14,14 @@
 namespace curvdecim::glue {
 
 /// What a host shows, and in which type it hands the value over: an Enum as int, a Length
-/// (absolute, or per cent of the bounding box's diagonal) as double in the mesh's unit.
-enum class Kind { Bool, Int, Float, Length, Enum };
-constexpr auto labels(Kind) { return std::array{"bool", "int", "float", "length", "enum"}; }
+/// (absolute, or per cent of the bounding box's diagonal) as double in the mesh's unit, a Layer of
+/// the document as the int that is its number.
+enum class Kind { Bool, Int, Float, Length, Enum, Layer };
+constexpr auto labels(Kind) {
+  return std::array{"bool", "int", "float", "length", "enum", "layer"};
+}
+
+inline constexpr const char* layer_unit = "the number of a layer";
 
 using Value = std::variant<bool, int, double>;
 
@@ -25,6 +30,7 @@ struct MeshFacts {
   int faces = 0;
   int selected_faces = 0;
   double diagonal = 0.0;
+  int first_layer = 0, second_layer = 0;  ///< of the document; where it has one, twice the same
 };
 
 /// A default that depends on the mesh.

@@ -29,12 +29,13 @@ using StoredAs =
     std::conditional_t<std::is_same_v<Member, bool>, bool,
                        std::conditional_t<std::is_floating_point_v<Member>, double, int>>;
 
-/// How hosts show a member of this type. A number in the mesh's unit is a Length.
+/// How hosts show a member of this type. The unit tells a Length and a Layer.
 template <class Member>
 Kind kind_of(const Range& range) {
   if (std::is_enum_v<Member>) return Kind::Enum;
   if (std::is_same_v<Member, bool>) return Kind::Bool;
-  if (std::is_same_v<Member, int>) return Kind::Int;
+  if (std::is_same_v<Member, int>)
+    return range.unit == std::string_view(layer_unit) ? Kind::Layer : Kind::Int;
   return range.unit == std::string_view(length_unit) ? Kind::Length : Kind::Float;
 }
 

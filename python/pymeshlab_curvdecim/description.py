@@ -29,7 +29,7 @@ class Parameter:
 
     @property
     def annotation(self):
-        types = {"int": int, "float": float, "bool": bool, "length": Length}
+        types = {"int": int, "float": float, "bool": bool, "length": Length, "layer": int}
         plain = Literal[self.values] if self.type == "enum" else types[self.type]
         return plain if self.default is not None else plain | None
 
@@ -175,4 +175,5 @@ _CONVERSIONS = {
     "bool": _truth,
     "enum": _choice,
     "length": _length,
+    "layer": lambda value, _: operator.index(value),
 }

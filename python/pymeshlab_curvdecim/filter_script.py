@@ -17,6 +17,7 @@ TYPES = {
     "float": "RichFloat",
     "int": "RichInt",
     "length": "RichAbsPerc",
+    "layer": "RichMesh",
 }
 
 

@@ -54,9 +54,12 @@ class Tree:
         """Settings are read from and written to the tree, never the user's home."""
         return environment(HOME=str(self.home), XDG_RUNTIME_DIR=str(self.home), **more)
 
-    def serve(self, mesh, script, output, *mask):
-        """Runs meshlabserver; returns its process with everything it printed as text."""
-        command = ["xvfb-run", "-a", self.bin / "meshlabserver", "-i", mesh, "-o", output]
+    def serve(self, mesh, script, output, *mask, more=()):
+        """Runs meshlabserver; returns its process with everything it printed as text.
+
+        more: further arguments before the output.
+        """
+        command = ["xvfb-run", "-a", self.bin / "meshlabserver", "-i", mesh, *more, "-o", output]
         command += [*(("-m", *mask) if mask else ()), "-s", script]
         return subprocess.run(
             command,

@@ -72,7 +72,8 @@ Value another_value(const Parameter& parameter) {
   const Value& value = parameter.fixed_default;
   if (parameter.kind == Kind::Bool) return !std::get<bool>(value);
   if (parameter.kind == Kind::Enum) return std::get<int>(value) == 0 ? 1 : 0;
-  if (parameter.kind == Kind::Int) return std::get<int>(value) == 7 ? 8 : 7;
+  if (parameter.kind == Kind::Int || parameter.kind == Kind::Layer)
+    return std::get<int>(value) == 7 ? 8 : 7;
   const double low = std::isfinite(parameter.range.low) ? parameter.range.low : 0.0;
   const double high = std::isfinite(parameter.range.high) ? parameter.range.high : low + 1.0;
   return low + 0.7 * (high - low);

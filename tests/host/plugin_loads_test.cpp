@@ -64,12 +64,23 @@ class LoadedFilter : public testing::Test {
     ASSERT_NE(plugin_, nullptr);
     action_ = find_action(*plugin_, filter_.about.menu_name);
     ASSERT_NE(action_, nullptr) << filter_.about.menu_name;
-    mesh_ = document_.addNewMesh("", "sphere");
-    vcg::tri::Sphere(mesh_->cm, subdivisions);
-    vcg::tri::UpdateNormal<CMeshO>::PerFaceNormalized(mesh_->cm);
-    vcg::tri::UpdateNormal<CMeshO>::PerVertexAngleWeighted(mesh_->cm);
-    vcg::tri::UpdateBounding<CMeshO>::Box(mesh_->cm);
+    mesh_ = add_sphere(true);
+    if (compares_layers()) add_sphere(false);
     plugin_->setLog(&log_);
+  }
+
+  MeshModel* add_sphere(bool current) {
+    MeshModel* const mesh = document_.addNewMesh("", "sphere", current);
+    vcg::tri::Sphere(mesh->cm, subdivisions);
+    vcg::tri::UpdateNormal<CMeshO>::PerFaceNormalized(mesh->cm);
+    vcg::tri::UpdateNormal<CMeshO>::PerVertexAngleWeighted(mesh->cm);
+    vcg::tri::UpdateBounding<CMeshO>::Box(mesh->cm);
+    return mesh;
+  }
+
+  bool compares_layers() const {
+    return std::any_of(filter_.parameters.begin(), filter_.parameters.end(),
+                       [](const Parameter& each) { return each.kind == Kind::Layer; });
   }
 
   RichParameterList defaults() { return default_parameters(*plugin_, action_, document_); }
@@ -143,7 +154,8 @@ TEST_P(AnyFilter, DeclaresWhatTheLoaderChecks) {
   EXPECT_NE(plugin_->getRequirements(action_), int(MeshModel::MM_UNKNOWN));
   EXPECT_EQ(plugin_->getPreConditions(action_), int(MeshModel::MM_FACENUMBER));
   EXPECT_NE(plugin_->postCondition(action_), int(MeshModel::MM_UNKNOWN));
-  EXPECT_EQ(plugin_->filterArity(action_), HostFilter::SINGLE_MESH);
+  EXPECT_EQ(plugin_->filterArity(action_),
+            compares_layers() ? HostFilter::FIXED : HostFilter::SINGLE_MESH);
   EXPECT_TRUE(plugin_->filterInfo(action_).contains("<br>See: "));
 }
 

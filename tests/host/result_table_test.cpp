@@ -2,6 +2,7 @@
 // The results of all filters: texts, names and their order.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 #include <string>
 #include <vector>
@@ -103,6 +104,38 @@ TEST(ResultTable, ImportanceTellsValuesOrThatItWasCancelled) {
             (Names{"minimum", "median", "maximum"}));
   report.stopped_by = StopReason::Cancelled;
   EXPECT_EQ(names_after<CurvatureImportanceFilter>(report), Names{"stopped_by"});
+}
+
+bool has(const Names& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+TEST(ResultTable, ErrorTellsTextureAndToleranceWhereThereAreSuch) {
+  LayerErrorReport report;
+  LayerErrorParams params;
+  Names names = names_after<SimplificationErrorFilter>(report, params);
+  for (const char* name : {"rms", "mean", "max", "rms_salient", "normal_deviation_deg", "diagonal"})
+    EXPECT_TRUE(has(names, name)) << name;
+  for (const char* name : {"stopped_by", "texture_drift_rms", "beyond_tolerance"})
+    EXPECT_FALSE(has(names, name)) << name;
+  report.texture.emplace(), params.tolerance = 0.1;
+  names = names_after<SimplificationErrorFilter>(report, params);
+  for (const char* name : {"texture_drift_rms", "texture_lost", "beyond_tolerance"})
+    EXPECT_TRUE(has(names, name)) << name;
+  report = {};
+  report.stopped_by = StopReason::Cancelled;
+  EXPECT_EQ(names_after<SimplificationErrorFilter>(report), Names{"stopped_by"});
+}
+
+TEST(ResultTable, HistogramIsTheLegend) {
+  ErrorHistogram histogram;
+  histogram.end = 0.8;
+  histogram.share[0] = 0.5, histogram.share[8] = 0.02;
+  const Names lines = lines_of(histogram, " mm");
+  ASSERT_EQ(lines.size(), 9u);
+  EXPECT_EQ(lines[0], "red, up to 0.1 mm: 50 % of the area " + std::string(25, '#'));
+  EXPECT_EQ(lines[1], "orange, up to 0.2 mm: 0 % of the area ");
+  EXPECT_EQ(lines[8], "blue, beyond 0.8 mm: 2 % of the area #");
 }
 
 TEST(ResultTable, ValuesAreThoseOfTheReport) {

@@ -19,6 +19,7 @@ REMOVE = "meshing_decimation_vertex_removal"
 SPHERES = "meshing_decimation_algebraic_sphere"
 STEPWISE = (DECIMATE, SPHERES, REMOVE)
 IMPORTANCE = "compute_scalar_by_curvature_importance"
+ERROR = "get_simplification_error"
 
 
 def load(name):

@@ -17,11 +17,11 @@ import pytest
 from drawn_meshes import bumpy_sheet, mesh_set
 from pymeshlab_curvdecim import filter_script
 from pymeshlab_curvdecim.description import read_filters
-from samples import CLUSTER, DECIMATE, IMPORTANCE, SHIPPED, STEPWISE
+from samples import CLUSTER, DECIMATE, ERROR, IMPORTANCE, SHIPPED, STEPWISE
 
 COW = str(SHIPPED / "cow.obj")
 METHOD = getattr(pymeshlab.MeshSet, DECIMATE)
-ALL = (*STEPWISE, CLUSTER, IMPORTANCE)
+ALL = (*STEPWISE, CLUSTER, IMPORTANCE, ERROR)
 
 
 PYTHON = Path(pymeshlab_curvdecim.__file__).parents[1]
