@@ -10,7 +10,12 @@ from pathlib import Path
 from pymeshlab_curvdecim import filter_script
 from pymeshlab_curvdecim.description import read_filters
 
-HALF = {"targetperc": 0.5}  # the default target, as a number to change
+NUMBERS = {  # to change; defaults that depend on the mesh are none
+    "targetperc": 0.5,
+    "originalmesh": 0,
+    "simplifiedmesh": 1,
+    "tolerance": 0.01,
+}
 
 
 def short_name(filter_name):
@@ -19,8 +24,9 @@ def short_name(filter_name):
 
 
 def example(description):
-    has_target = any(each.python_name in HALF for each in description.parameters)
-    return filter_script(description.python_name, meshlab="2020.09", **(HALF if has_target else {}))
+    asked = {each.python_name for each in description.parameters}
+    given = {name: value for name, value in NUMBERS.items() if name in asked}
+    return filter_script(description.python_name, meshlab="2020.09", **given)
 
 
 def main(folder):

@@ -107,21 +107,21 @@ struct SimplificationErrorFilter {
   }
 
   static About about() {
-    return {
-        "Simplification Error",
-        "get_simplification_error",
-        Category::QualityMeasure,
-        {false, true},
-        "Compare a simplified (decimated, reduced) mesh with its original." + bibliography({metro}),
-        "Measure how far two layers are from each other: two-sided mean, RMS and largest "
-        "distance, from points all over both surfaces to the exact nearest points of the "
-        "other, and for the largest from all vertices and along all edges, too. Counted are "
-        "also faces that are flipped, folded or cross others, parts, holes and handles that "
-        "were gained or lost, area, volume, and how far a texture has drifted. With <i>Show "
-        "distances as colours</i> both layers get their distances as vertex quality, and "
-        "colours on one scale, red for none and blue for much; the log has its legend, and "
-        "how much of the surfaces has which colour. Layers are measured where they are shown, "
-        "and no selection counts. The same numbers come out on any number of cores."};
+    return {"Simplification Error",
+            "get_simplification_error",
+            Category::QualityMeasure,
+            {false, true},
+            "See how far a mesh is from its original after you simplify (decimate, reduce) it." +
+                bibliography({metro}),
+            "Measure how far two layers are from each other: two-sided mean, RMS and largest "
+            "distance, from points all over both surfaces to the exact nearest points of the "
+            "other, and for the largest from all vertices and along all edges, too. Counted are "
+            "also faces that are flipped, folded or cross others, parts, holes and handles that "
+            "were gained or lost, area, volume, and how far a texture has drifted. With <i>Show "
+            "distances as colours</i> both layers get their distances as vertex quality, and "
+            "colours on one scale, red for none and blue for much; the log has its legend, and "
+            "how much of the surfaces has which colour. Layers are measured where they are shown, "
+            "and no selection counts. The same numbers come out on any number of cores."};
   }
 
   static ParameterRows<Params> parameters() {

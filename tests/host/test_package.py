@@ -24,6 +24,14 @@ METHOD = getattr(pymeshlab.MeshSet, DECIMATE)
 ALL = (*STEPWISE, CLUSTER, IMPORTANCE, ERROR)
 
 
+def sheets(name):
+    """A mesh set that the filter of this name runs on: one layer, or two to compare."""
+    meshes = mesh_set(*bumpy_sheet())
+    if name == ERROR:
+        meshes.add_mesh(pymeshlab.Mesh(*bumpy_sheet(6)))
+    return meshes
+
+
 PYTHON = Path(pymeshlab_curvdecim.__file__).parents[1]
 
 
@@ -90,7 +98,7 @@ def test_documentation_names_every_parameter_in_plain_text():
 
 @pytest.mark.parametrize("name", ALL)
 def test_returns_what_is_described(name):
-    report = getattr(mesh_set(*bumpy_sheet()), name)()
+    report = getattr(sheets(name), name)()
     described = [each.name for each in read_filters()[name].results]
     assert set(report) <= set(described)
     assert len(report) >= 3
@@ -102,7 +110,7 @@ def test_stated_defaults_are_the_plugins(name):
     function = getattr(pymeshlab_curvdecim, name)
     parameters = list(inspect.signature(function).parameters.values())[1:]
     stated = {each.name: each.default for each in parameters if each.default is not None}
-    without, with_defaults = (mesh_set(*bumpy_sheet()) for _ in range(2))
+    without, with_defaults = (sheets(name) for _ in range(2))
     function(without)
     function(with_defaults, **stated)
     for array in ("vertex_matrix", "face_matrix", "vertex_scalar_array", "vertex_color_matrix"):

@@ -1,13 +1,19 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Simplification Error against MeshLab's own filter, against libigl, and on drawn layers."""
 
+import sys
+
 import igl
 import numpy as np
 import pymeshlab
 import pytest
 from drawn_meshes import mesh_set, sheet
 from pymeshlab_curvdecim import filter_script
-from samples import DECIMATE, ERROR, load
+from samples import DECIMATE, ERROR, ROOT, load
+
+sys.path.append(str(ROOT / "bench"))
+
+from judge import Judge
 
 SAMPLES = 100_000
 NOISE = 0.02  # of MeshLab's random samples, relative
@@ -64,34 +70,22 @@ def test_agrees_with_meshlabs_hausdorff_distance(name):
 
 
 @pytest.mark.parametrize("name", CURVED)
-def test_agrees_with_exact_distances_of_libigl(name):
-    """The figures' definitions, from random samples."""
+def test_agrees_with_the_judge_of_the_bench(name):
+    """Which has the same definitions, random samples and the distances of libigl."""
     meshes = with_decimated(name)
-    error = meshes.apply_filter(ERROR)
-    rms = []
-    for side, pair in SIDES.items():
-        sampled, target = (meshes.mesh(each) for each in pair)
-        distance = distances(points_on(sampled), target)
-        rms.append(np.sqrt(np.mean(distance**2)))
-        assert error[f"rms_{side}"] == pytest.approx(rms[-1], rel=NOISE)
-        assert error[f"mean_{side}"] == pytest.approx(distance.mean(), rel=NOISE)
-        used = sampled.vertex_matrix()[np.unique(sampled.face_matrix())]
-        at_vertices = distances(used, target).max()
-        assert error[f"max_{side}"] >= max((1 - 1e-9) * at_vertices, NEARLY * distance.max())
-    assert error["rms"] == pytest.approx(np.hypot(*rms) / np.sqrt(2), rel=NOISE)
-    assert error["max"] == max(error[f"max_{side}"] for side in SIDES)
-
-
-def points_on(mesh):
-    """Uniform by area."""
-    generator = np.random.default_rng(1)
-    corners = mesh.vertex_matrix()[mesh.face_matrix()]
-    a, b, c = corners.swapaxes(0, 1)
-    areas = np.linalg.norm(np.cross(b - a, c - a), axis=1)
-    face = generator.choice(len(areas), SAMPLES, p=areas / areas.sum())
-    root, along = np.sqrt(generator.random(SAMPLES)), generator.random(SAMPLES)
-    weights = np.stack([1 - root, root * (1 - along), root * along], axis=1)
-    return np.einsum("ki,kij->kj", weights, corners[face])
+    error = meshes.apply_filter(ERROR, relativeto="Diagonal")
+    original, simplified = (meshes.mesh(number) for number in (0, 1))
+    judge = Judge(original.vertex_matrix(), original.face_matrix(), samples=SAMPLES)
+    figures = judge(simplified.vertex_matrix(), simplified.face_matrix())
+    for side in SIDES:
+        assert error[f"rms_{side}"] == pytest.approx(getattr(figures, f"rms_{side}"), rel=NOISE)
+    assert error["rms"] == pytest.approx(figures.rms, rel=NOISE)
+    assert error["mean"] == pytest.approx(figures.mean, rel=NOISE)
+    assert error["rms_salient"] == pytest.approx(figures.rms_salient, rel=2 * NOISE)
+    assert error["max"] > NEARLY * figures.max
+    assert error["normal_deviation_deg"] == pytest.approx(figures.ndev, rel=NOISE)
+    assert error["flipped"] == pytest.approx(figures.flipped, abs=1)  # an edge has two faces
+    assert error["diagonal"] == pytest.approx(judge.diagonal)
 
 
 def distances(points, mesh):

@@ -28,6 +28,7 @@ EXAMPLES = [  # in the order of their names
         "algebraic_sphere",
         "curvature_importance",
         "edge_collapse",
+        "simplification_error",
         "vertex_clustering",
         "vertex_removal",
     )

@@ -5,6 +5,8 @@
 
 #include "support/clustering.h"
 #include "support/decimation.h"
+#include "support/drawn_meshes.h"
+#include "support/errors.h"
 #include "support/plans.h"
 #include "support/removal.h"
 #include "vcg_ext/own_metric.h"
@@ -138,10 +140,23 @@ std::vector<Call> importances() {
   return calls;
 }
 
+Call error() {
+  return {"Error", [](RichMesh& mesh, const CommonParams& common, const Progress& progress) {
+            RichMesh other;
+            fill(other, scaled(icosphere(3), 0.5));
+            ErrorParams params;
+            params.save_quality = true, params.sample_num = 20'000;
+            params.threads = common.threads;
+            DecimationReport report;
+            report.stopped_by = error_between(mesh, other, params, progress).stopped_by;
+            return report;
+          }};
+}
+
 }  // namespace
 
 std::vector<Call> every_call() {
-  std::vector<Call> all{own_metric(), classes()};
+  std::vector<Call> all{own_metric(), classes(), error()};
   for (const auto& calls : {collapses(), spheres(), removals(), clusterings(), importances()})
     all.insert(all.end(), calls.begin(), calls.end());
   return all;
