@@ -34,10 +34,9 @@ struct LayerErrorParams : ErrorParams {
 
   static constexpr auto fields() {
     using P = LayerErrorParams;
-    return std::tuple_cat(
-        std::tuple(Field("original_mesh", &P::original_mesh, at_least(0.0, layer_unit)),
-                   Field("simplified_mesh", &P::simplified_mesh, at_least(0.0, layer_unit))),
-        ErrorParams::fields());
+    return std::tuple_cat(std::tuple(Field("original_mesh", &P::original_mesh, any_layer),
+                                     Field("simplified_mesh", &P::simplified_mesh, any_layer)),
+                          ErrorParams::fields());
   }
 };
 

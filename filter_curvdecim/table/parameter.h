@@ -23,6 +23,9 @@ constexpr auto labels(Kind) {
 
 inline constexpr const char* layer_unit = "the number of a layer";
 
+/// The document knows which there are.
+inline constexpr Range any_layer = {Range().low, Range().high, layer_unit};
+
 using Value = std::variant<bool, int, double>;
 
 /// What defaults may depend on. Lengths in the mesh's unit.
