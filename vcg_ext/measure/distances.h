@@ -22,6 +22,12 @@ inline double degrees_between(const Vector3& a, const Vector3& b) {
 
 inline constexpr Grain one_run{1, 1 << 6};  ///< some hundred searches
 
+/// The root of a squared distance in the box of diagonal 1. What rounding leaves of 0 is none.
+inline double length_of(double distance2) {
+  constexpr double rounding = 1e-14;
+  return distance2 > rounding * rounding ? std::sqrt(distance2) : 0.0;
+}
+
 /// What samples of a surface see of another one, by sample.
 struct Readings {
   Array<double> distance;  // to the nearest point, in the box of diagonal 1
@@ -61,7 +67,7 @@ inline Readings read_samples(const MeasuredSurface& from, const AreaSamples& sam
     for (const SampleInSpace& sample : along_curve(from, samples, run)) {
       const SurfacePoint found = to.nearest(sample.point, hint);
       hint = found.face;
-      readings.distance[sample.number] = std::sqrt(found.distance2);
+      readings.distance[sample.number] = length_of(found.distance2);
       readings.turn[sample.number] =
           degrees_between(from.plane(sample.face).normal, to.plane(hint).normal);
     }
@@ -93,7 +99,7 @@ inline std::vector<double> distances_of(const std::vector<Vector3>& points,
     for (int i = begin; i < end; ++i) {
       const SurfacePoint found = to.nearest(points[i], hint);
       hint = found.face;
-      distance[i] = std::sqrt(found.distance2);
+      distance[i] = length_of(found.distance2);
     }
   });
   return distance;
@@ -114,7 +120,7 @@ class FarthestPoint {
     distance2_ = std::max(distance2_, found.distance2);
   }
 
-  double distance() const { return std::sqrt(distance2_); }
+  double distance() const { return length_of(distance2_); }
 
  private:
   const MeasuredSurface& to_;
