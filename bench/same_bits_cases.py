@@ -15,11 +15,16 @@ REMOVAL = "meshing_decimation_vertex_removal"
 CLUSTERS = "meshing_decimation_vertex_clustering"
 IMPORTANCE = "compute_scalar_by_curvature_importance"
 
-THREADED = frozenset({EDGES, SPHERES, REMOVAL, CLUSTERS})
+ERROR = "get_simplification_error"
+
+THREADED = frozenset({EDGES, SPHERES, REMOVAL, CLUSTERS, ERROR})
 """The filters that have a parameter Threads."""
 
-PLAIN, SELECTED, PAINTED = "plain", "half selected", "painted"
+PLAIN, SELECTED, PAINTED, COARSE = "plain", "half selected", "painted", "coarse"
 """The states of a mesh that its worker knows."""
+
+READ_LAYER, COARSE_LAYER = 0, 4
+"""What the worker calls the mesh that it has read, and the last one of its states."""
 
 _SLOW_FILTERS = {SPHERES, REMOVAL}
 _SLOW_VALUES = {"Eager", "Current", "CurvatureAdditive"}
@@ -83,6 +88,7 @@ _spheres = partial(_cases, SPHERES, targetperc=0.2)
 _removal = partial(_cases, REMOVAL, targetperc=0.2)
 _clusters = partial(_cases, CLUSTERS)
 _importance = partial(_cases, IMPORTANCE)
+_error = partial(_cases, ERROR, COARSE, originalmesh=READ_LAYER, simplifiedmesh=COARSE_LAYER)
 
 
 def _with_attributes(asked: partial, **options: Any) -> Iterator[Case]:
@@ -166,6 +172,10 @@ CASES = (
         output=("Curvature", "Factor"), alphaunits=_UNITS, curvaturekind=_KINDS, curvatureof=_OF
     ),
     *_importance(output="Factor", alpha=(0.0, 3.0), curvaturefloor=(0.0, 1.0)),
+    *_error(relativeto=("MeshUnit", "Diagonal", "Tolerance"), tolerance=_percent(0.5)),
+    *_error(samplenum=5000),
+    *_error(simplifiedmesh=READ_LAYER),  # refused
+    *_error(savequality=True),
 )
 
 

@@ -147,7 +147,17 @@ def _paint(meshes: pymeshlab.MeshSet) -> None:
     )
 
 
-_PREPARATIONS = {"plain": lambda meshes: None, "half selected": _select_half, "painted": _paint}
+def _coarsen(meshes: pymeshlab.MeshSet) -> None:
+    """By MeshLab's own filter, so that two of our plugins get the same mesh."""
+    meshes.apply_filter("meshing_decimation_clustering")
+
+
+_PREPARATIONS = {
+    "plain": lambda meshes: None,
+    "half selected": _select_half,
+    "painted": _paint,
+    "coarse": _coarsen,
+}
 STATES = tuple(_PREPARATIONS)
 
 

@@ -14,7 +14,15 @@ import same_bits
 import same_bits_worker
 from judge import topology
 from meshes import REPOSITORY, shipped
-from same_bits_cases import CASES, MOST_FACES_OF_SLOW, SPHERES, THREADED, cases_for
+from same_bits_cases import (
+    CASES,
+    COARSE,
+    COARSE_LAYER,
+    MOST_FACES_OF_SLOW,
+    SPHERES,
+    THREADED,
+    cases_for,
+)
 from same_bits_meshes import hubs
 from surface import Surface
 
@@ -134,6 +142,15 @@ def test_the_states_select_half_of_the_faces_and_paint_every_vertex() -> None:
     assert 1 <= mesh.vertex_scalar_array().min() < mesh.vertex_scalar_array().max() <= 10
     assert len(np.unique(mesh.vertex_color_matrix(), axis=0)) > 100
     assert {case.state for case in CASES} == set(same_bits_worker.STATES)
+
+
+def test_the_coarse_mesh_is_the_layer_that_cases_name() -> None:
+    assert same_bits_worker.STATES.index(COARSE) + 1 == COARSE_LAYER
+    meshes = pymeshlab.MeshSet(verbose=False)
+    meshes.load_new_mesh(str(shipped("cow.obj")))
+    before = meshes.current_mesh().face_number()
+    same_bits_worker.prepare(meshes, COARSE)
+    assert 0 < meshes.current_mesh().face_number() < before
 
 
 def test_hubs_are_closed_and_have_the_vertices_of_many_faces() -> None:
