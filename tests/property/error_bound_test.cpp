@@ -92,6 +92,25 @@ TEST(ErrorBound, IsKeptWithoutTheGuardsToo) {
   }
 }
 
+Shape in_single_precision(Shape shape) {
+  for (Point& p : shape.vertices) p = p.cast<float>().cast<double>();
+  return shape;
+}
+
+/// Far from the origin what is written moves by some per cent of the bound.
+TEST(ErrorBound, HasRoomForTheRoundingOfTheResult) {
+  const Shape before = in_single_precision(translated(bumpy_sphere(3), {900.0, -700.0, 400.0}));
+  for (double fraction : {2e-4, 1e-3, 5e-3}) {
+    EdgeCollapseParams params;
+    params.max_error = fraction * diagonal(before);
+    const auto [after, report] = decimated_float(before, params);
+    EXPECT_LT(after.face_count(), before.face_count());
+    EXPECT_LE(sampled_distance(before, after), params.max_error * (1.0 + 1e-9));
+    EXPECT_LE(sampled_distance(before, after), report.max_error * (1.0 + 1e-9));
+    EXPECT_LE(report.max_error, params.max_error * (1.0 + 1e-9));
+  }
+}
+
 TEST(ErrorBound, AndATargetStopAtWhicheverComesFirst) {
   EdgeCollapseParams params = to_faces(300);
   params.max_error = 1.0;  // never reached

@@ -33,6 +33,7 @@ struct CollapsePlan {
   Schedule schedule;
   CostUnit cost_unit = CostUnit::AreaTimesSquaredLength;
   double pair_distance = 0.0;    ///< unconnected vertices that are closer may merge; 0: none
+  double rounding = 0.0;         ///< of a vertex that is written, in the mesh's unit
   int refine_sweeps = 0;         ///< after the collapses
   double boundary_weight = 1.0;  ///< against the surface, in the refinement
   Timetable times;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -150,6 +151,13 @@ Counts counts_of(const MeshType& mesh) {
   return {mesh.fn, mesh.vn};
 }
 
+/// How far a vertex moves at most when it is written as the host's numbers are, in the mesh's unit.
+template <class MeshType>
+double rounding_in(const UnitBox& box) {
+  constexpr double unit = 0.5 * std::numeric_limits<typename MeshType::ScalarType>::epsilon();
+  return unit * (box.center.norm() + box.diagonal);
+}
+
 /// copy: as it was read.
 template <class MeshType>
 InputFacts facts_of(const MeshType& mesh, const WorkingCopy& copy, bool selected_only) {
@@ -160,7 +168,8 @@ InputFacts facts_of(const MeshType& mesh, const WorkingCopy& copy, bool selected
           copy.mesh.connectivity.face_count(),
           static_cast<int>(staying),
           copy.vertices_read,
-          copy.box.diagonal};
+          copy.box.diagonal,
+          rounding_in<MeshType>(copy.box)};
 }
 
 }  // namespace curvdecim::detail

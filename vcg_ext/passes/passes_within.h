@@ -12,13 +12,12 @@
 
 namespace curvdecim::detail {
 
-/// Passes as long as samples stay well within a bound; they know none
-/// themselves. Then the bound begins with the last surface that is within it
-/// everywhere; the first one, the input, is.
+/// Passes as long as samples stay well within a bound; they know none themselves. Then the bound
+/// begins with the last surface that is within it everywhere; the first one, the input, is.
 template <class MetricType>
 void run_within(SurfaceBound& bound, PassSchedule<MetricType>& passes, PassSurface& surface,
                 BlendRecord& record, const Parallel& parallel, Tally& tally) {
-  constexpr double share = 0.25;  // of the bound: a pass more, and there is room left still
+  constexpr double share = 0.5;  // of the bound: a pass more, and there is room left still
   struct Level {
     PassSurface surface;
     BlendSteps steps;

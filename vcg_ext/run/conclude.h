@@ -35,6 +35,7 @@ inline void conclude(const Tally& tally, const CollapsePlan& plan, const Working
   if (plan.pair_distance > 0.0) note_pairs(mesh, report);
   note_what_gave_way(report);
   conclude(tally, diagonal, report);
+  if (report.max_error > 0.0) report.max_error += plan.rounding;
   note_stop(tally, plan, mesh, report);
 }
 

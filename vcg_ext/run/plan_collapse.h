@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 #include <variant>
 
@@ -82,6 +83,13 @@ inline Timetable collapse_times(const CollapsePlan& plan) {
           sweep * plan.refine_sweeps, 140.0 * faces};
 }
 
+/// With room for the rounding of what is written; 0: no bound.
+inline double bound_in_box(const DecimationParams& params, const InputFacts& input) {
+  if (params.max_error == 0.0) return 0.0;
+  constexpr double least = std::numeric_limits<double>::min();
+  return std::max(least, (params.max_error - input.rounding) / input.diagonal);
+}
+
 /// What every run of collapses has, whatever its metric; nullopt: the mesh is small enough.
 inline std::optional<CollapsePlan> plan_collapse(const DecimationParams& params,
                                                  const InputFacts& input) {
@@ -92,7 +100,8 @@ inline std::optional<CollapsePlan> plan_collapse(const DecimationParams& params,
   plan.limits.faces = {params.preserve_normal, params.normal_angle};
   plan.limits.keeps_boundary = params.preserve_boundary;
   plan.limits.topology_gives_way = !params.preserve_topology && !(params.max_error > 0.0);
-  plan.limits.max_error = params.max_error / input.diagonal;
+  plan.limits.max_error = bound_in_box(params, input);
+  plan.rounding = input.rounding;
   plan.limits.attribute_weight = params.attribute_weight;
   plan.metric = quadric_plan(params, QuadricParams(), true);
   plan.schedule = schedule_of(Scheduler::Rounds, true);

@@ -23,11 +23,12 @@ struct InputFacts {
   int staying_faces = 0;  // of these, faces that may not change
   int used_vertices = 0;  // of the host's mesh, read for the working copy
   double diagonal = 1.0;  // of the bounding box, in the mesh's unit
+  double rounding = 0.0;  // of a vertex that is written, in the same
 };
 
 /// What is known of them before the mesh is read.
 inline InputFacts facts_ahead(const Counts& all) {
-  return {all, all.faces, all.faces, 0, all.vertices, 1.0};
+  return {all, all.faces, all.faces, 0, all.vertices, 1.0, 0.0};
 }
 
 /// The faces that a fraction of some faces keeps: at least one.
