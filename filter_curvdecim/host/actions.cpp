@@ -162,6 +162,7 @@ Outcome apply(const Action& action, MeshDocument& document, const RichParameterL
     const std::vector<MeshModel*> meshes = meshes_of(action.parameters, values, document);
     const InputLayer input(action.parameters, values, *meshes.front());
     std::vector<CMeshO*> surfaces;
+    surfaces.reserve(meshes.size());
     for (MeshModel* mesh : meshes) surfaces.push_back(&mesh->cm);
     const Outcome outcome = action.run(surfaces, values, progress_of(callback));
     for (MeshModel* mesh : meshes) refresh(*mesh, outcome.changed);

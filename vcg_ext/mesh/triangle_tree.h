@@ -32,7 +32,7 @@ inline bool any_face(const Vector3&) { return true; }
 /// nearer than `best`.
 template <class Surface, class Accept>
 void look_at(const Surface& surface, int f, const Vector3& p, Accept accept, SurfacePoint& best) {
-  const Triangle t = surface.triangle(f);
+  const Triangle& t = surface.triangle(f);
   const Vector3 normal = (t[1] - t[0]).cross(t[2] - t[0]);
   if (!accept(normal)) return;
   const double height = normal.dot(p - t[0]);
