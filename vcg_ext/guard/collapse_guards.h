@@ -94,8 +94,8 @@ class CollapseGuards {
   }
 
  private:
-  /// Of the bound: how far sums go before distances are measured. Sums cost little and go together,
-  /// but count what comes back; from .03 to .1 as many faces are left.
+  /// Share of the bound that sums go to before distances are measured. Sums cost little and go
+  /// together, but count what comes back; from .03 to .1 as many faces are left.
   static constexpr double share_of_sums = 0.1;
 
   Obstacle obstacle(const EdgeNeighborhood& around) const {

@@ -103,7 +103,7 @@ class PatchDistance {
     return z;
   }
 
-  /// Of the fan's edges at its apex with the edges of the patch.
+  /// The largest gap where an edge of the fan at its apex crosses an edge of the patch.
   static double crossings(const Patch& patch, const Patch& fan, const Vector3& apex) {
     double largest = 0.0;
     for (Place blade = fan.begin(); blade != fan.end(); ++blade)

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cmath>
 #include <vector>
 
 #include "vcg_ext/mesh/triangle_tree.h"
@@ -26,20 +25,15 @@ class ReferenceSurface {
   int size() const { return static_cast<int>(triangles_.size()); }
   const Triangle& triangle(int r) const { return triangles_[r]; }
 
-  /// The face at its edge i, i+1; none where that is not one face that runs the
-  /// other way there.
+  /// The face at its edge i, i+1; none where that is not one face that runs the other way there.
   int across(int r, int i) const { return across_[r][i]; }
 
  private:
   static int mate(const TriangleConnectivity& connectivity, int f, int i) {
     const int a = connectivity.face(f)[i], b = connectivity.face(f)[(i + 1) % 3];
-    int found = none;
-    for (int g : connectivity.faces_of(a)) {
-      if (g == f || !connectivity.face_has(g, b)) continue;
-      if (found != none || connectivity.next_vertex(g, b) != a) return none;
-      found = g;
-    }
-    return found;
+    if (connectivity.edge_valence(a, b) != 2) return none;
+    const int g = connectivity.face_across(f, a, b);
+    return connectivity.next_vertex(g, b) == a ? g : none;
   }
 
   std::vector<Triangle> triangles_;

@@ -90,7 +90,7 @@ void for_runs(int count, const Parallel& parallel, Work work) {
       one_run);
 }
 
-/// Of points, neighbours of which are neighbours in space, to a surface.
+/// How far points, neighbours of which are neighbours in space, are from a surface.
 inline std::vector<double> distances_of(const std::vector<Vector3>& points,
                                         const MeasuredSurface& to, const Parallel& parallel) {
   std::vector<double> distance(points.size());

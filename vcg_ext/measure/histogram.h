@@ -20,7 +20,7 @@ inline double end_of_scale(const Readings& forth, const Readings& back) {
   return least_of_largest(std::move(distance), beyond);
 }
 
-/// Of both surfaces. end: in the box of diagonal 1.
+/// The histogram of both surfaces' distances. end: in the box of diagonal 1.
 inline ErrorHistogram histogram_of(const Readings& forth, const Readings& back, double end) {
   ErrorHistogram histogram;
   histogram.end = end;

@@ -123,7 +123,7 @@ class ErrorMeasurement {
             mean([&](int i) { return at.turn[i]; })};
   }
 
-  /// Of parts of the surfaces.
+  /// What holds for parts of the surfaces: the most curved fifth, flipped faces, bins of distances.
   void measure_parts() {
     const MostCurved is_salient(*original_.surface, samples_, parallel_);
     const int count = samples_.count();
