@@ -23,6 +23,19 @@ inline HalfSpace inside_of_edge(const Triangle& t, int i) {
   return {normal, normal.dot(t[i])};
 }
 
+/// Calls add(p) with the corners of what a plane leaves of a convex polygon. depth(p): linear, not
+/// below 0 on the side that is kept.
+template <class Depth, class Add>
+void clip(const Vector3* corner, int size, Depth depth, Add add) {
+  for (int i = 0; i < size; ++i) {
+    const Vector3 &p = corner[i], &q = corner[i + 1 < size ? i + 1 : 0];
+    const double at_p = depth(p), at_q = depth(q);
+    if (at_p >= 0.0) add(p);
+    if ((at_p > 0.0 && at_q < 0.0) || (at_p < 0.0 && at_q > 0.0))
+      add(p + (at_p / (at_p - at_q)) * (q - p));
+  }
+}
+
 /// A part of a triangle that cuts along planes have left; it is convex.
 class ConvexPolygon {
  public:
@@ -56,13 +69,9 @@ class ConvexPolygon {
   ConvexPolygon inside(const HalfSpace& space) const {
     assert(may_be_cut());
     ConvexPolygon part;
-    for (int i = 0; i < size_; ++i) {
-      const Vector3 &p = corner_[i], &q = corner_[i + 1 < size_ ? i + 1 : 0];
-      const double at_p = space.depth(p), at_q = space.depth(q);
-      if (at_p >= 0.0) part.add(p);
-      if ((at_p > 0.0 && at_q < 0.0) || (at_p < 0.0 && at_q > 0.0))
-        part.add(p + (at_p / (at_p - at_q)) * (q - p));
-    }
+    clip(
+        corner_.data(), size_, [&](const Vector3& p) { return space.depth(p); },
+        [&](const Vector3& p) { part.add(p); });
     return part;
   }
 

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "vcg_ext/geometry/convex_polygon.h"
 #include "vcg_ext/guard/reference_surface.h"
 
 namespace curvdecim::detail {
@@ -140,13 +141,9 @@ class SheetOverFace {
 
     Piece inside(int k) const {
       Piece part;
-      for (int i = 0; i < size_; ++i) {
-        const Vector3 &p = corner_[i], &q = corner_[i + 1 < size_ ? i + 1 : 0];
-        const double at_p = PlaceOverFace::weight(p, k), at_q = PlaceOverFace::weight(q, k);
-        if (at_p >= 0.0) part.add(p);
-        if ((at_p > 0.0 && at_q < 0.0) || (at_p < 0.0 && at_q > 0.0))
-          part.add(p + (at_p / (at_p - at_q)) * (q - p));
-      }
+      clip(
+          corner_.data(), size_, [&](const Vector3& p) { return PlaceOverFace::weight(p, k); },
+          [&](const Vector3& p) { part.add(p); });
       return part;
     }
 
