@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "vcg_ext/geometry/small_quadric.h"
+#include "vcg_ext/geometry/triangle.h"
 #include "vcg_ext/mesh/merge_record.h"
 #include "vcg_ext/mesh/triangle_connectivity.h"
 #include "vcg_ext/metric/pass_weight.h"
