@@ -19,26 +19,30 @@ namespace curvdecim::detail {
 
 /// Collapses edges in passes, on all cores, where they can compute as the metric does
 /// (passes/pass_schedule.h), and the rest in rounds and in strict order
-/// (collapse/collapse_edges.h). Throws CancelRequest, and InputError where there are too many
-/// pairs.
+/// (collapse/collapse_edges.h). bound: nullptr without one. Throws CancelRequest, and InputError
+/// where there are too many pairs.
 template <class MetricType>
 Tally collapse(WorkingMesh& mesh, MetricType& metric, const CollapsePlan& plan, Carried& carried,
-               const Parallel& parallel) {
+               SurfaceBound* bound, const Parallel& parallel) {
   constexpr double reading = 0.6;  // part of the time of the preparation
-  std::optional<SurfaceBound> bound;
-  if (plan.limits.max_error > 0.0 && mesh.connectivity.face_count() > 0)
-    bound.emplace(mesh, plan.limits.max_error, parallel);
-  SurfaceBound* const or_none = bound ? &*bound : nullptr;
   std::optional<PassSurface> surface;
   parallel.progress().along(reading, 1.0, [&] { surface = prepare(mesh, metric, plan, parallel); });
   plan.times.begin_steps("Collapsing edges", parallel.progress());
   Tally tally;
   const int next_number = surface ? collapse_in_passes(*std::move(surface), mesh, metric, plan,
-                                                       carried.blended, or_none, parallel, tally)
+                                                       carried.blended, bound, parallel, tally)
                                   : 0;
-  collapse_edges(mesh, metric, plan, carried.collapse_observers(), next_number, or_none, parallel,
+  collapse_edges(mesh, metric, plan, carried.collapse_observers(), next_number, bound, parallel,
                  tally);
   return tally;
+}
+
+/// The bound that the plan has, if there are faces to hold to it.
+inline std::optional<SurfaceBound> bound_of(const WorkingMesh& mesh, const CollapseLimits& limits,
+                                            const Parallel& parallel) {
+  if (limits.max_error == 0.0 || mesh.connectivity.face_count() == 0) return std::nullopt;
+  return std::optional<SurfaceBound>(std::in_place, mesh, limits.max_error,
+                                     limits.max_error_one_sided, parallel);
 }
 
 /// The one way of every edge collapse: read, plan, collapse, refine, write. Nothing of the host's
@@ -59,11 +63,13 @@ DecimationReport decimate_by_collapse(MeshType& mesh, const Params& params,
     run.parallel.progress().ask();
     Carried carried = read_carried(mesh, copy, reading, *plan, run.parallel, run.report);
     std::optional<InputCopy> input = keep_input(copy.mesh, *plan, run.parallel);
+    std::optional<SurfaceBound> bound = bound_of(copy.mesh, plan->limits, run.parallel);
+    SurfaceBound* const or_none = bound ? &*bound : nullptr;
     run.parallel.progress().ask();
-    const Tally tally = with_metric(copy.mesh, plan->metric, [&](auto metric) {
-      return collapse(copy.mesh, metric, *plan, carried, run.parallel);
+    Tally tally = with_metric(copy.mesh, plan->metric, [&](auto metric) {
+      return collapse(copy.mesh, metric, *plan, carried, or_none, run.parallel);
     });
-    refine(copy.mesh, std::move(input), *plan, carried, run.parallel);
+    refine(copy.mesh, std::move(input), *plan, or_none, carried, run.parallel, tally);
     write_back(mesh, copy, carried, std::move(traced), run.parallel, run.report);
     conclude(tally, *plan, copy.mesh, copy.box.diagonal, run.report);
   });

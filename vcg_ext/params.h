@@ -117,16 +117,18 @@ struct CommonParams {
 struct DecimationParams : CommonParams {
   static constexpr int no_target = std::numeric_limits<int>::max();
 
-  int target_faces = no_target;    ///< stop at this many faces
-  int target_vertices = 0;         ///< stop at this many vertices; 0: not used
-  double max_error = 0.0;          ///< two-sided distance bound; 0: no bound
-  bool preserve_boundary = true;   ///< boundary vertices stay on the boundary curve
-  bool preserve_normal = true;     ///< refuse a face whose normal turns more than normal_angle
-  double normal_angle = 90.0;      ///< largest turn of a face
-  bool preserve_topology = false;  ///< link condition @cite dey1999; off: gives way by size
-  bool join_borders = true;        ///< those that lie on each other, for the run
-  double attribute_weight = 0.01;  ///< of texture and colours against the error of the surface
-  double feature_angle = 60.0;     ///< dihedral angle from which an edge is sharp; 180: none is
+  int target_faces = no_target;  ///< stop at this many faces
+  int target_vertices = 0;       ///< stop at this many vertices; 0: not used
+  double max_error = 0.0;        ///< no point of either surface is further from the other; 0: no
+                                 ///< bound
+  bool max_error_one_sided = false;  ///< no point of the result is further from the input
+  bool preserve_boundary = true;     ///< boundary vertices stay on the boundary curve
+  bool preserve_normal = true;       ///< refuse a face whose normal turns more than normal_angle
+  double normal_angle = 90.0;        ///< largest turn of a face
+  bool preserve_topology = false;    ///< link condition @cite dey1999; off: gives way by size
+  bool join_borders = true;          ///< those that lie on each other, for the run
+  double attribute_weight = 0.01;    ///< of texture and colours against the error of the surface
+  double feature_angle = 60.0;       ///< dihedral angle from which an edge is sharp; 180: none is
   KeepBordersOf keep_borders_of = KeepBordersOf::Nothing;  ///< beside those of textures
 
   static constexpr auto fields() {
@@ -136,6 +138,7 @@ struct DecimationParams : CommonParams {
         std::tuple(Field("target_faces", &P::target_faces, at_least(0.0, "faces")),
                    Field("target_vertices", &P::target_vertices, at_least(0.0, "vertices")),
                    Field("max_error", &P::max_error, at_least(0.0, length_unit)),
+                   Field("max_error_one_sided", &P::max_error_one_sided),
                    Field("preserve_boundary", &P::preserve_boundary),
                    Field("preserve_normal", &P::preserve_normal),
                    Field("normal_angle", &P::normal_angle, above_up_to(0.0, 180.0, "degrees")),
@@ -184,7 +187,7 @@ struct EdgeCollapseParams : DecimationParams, CurvatureParams, QuadricParams {
   CurvatureTerm curvature_term = CurvatureTerm::Melax;
   Scheduler scheduler = Scheduler::Rounds;
   int refine_sweeps = 0;  ///< fits of the vertices and flips of edges after the collapses; none
-                          ///< with max_error or HalfEdge
+                          ///< with HalfEdge
   double pair_distance = 0.0;  ///< unconnected vertices of the input that are closer may merge;
                                ///< turns preserve_topology off, not with max_error
 

@@ -7,6 +7,7 @@
 #include "support/decimation.h"
 #include "support/drawn_meshes.h"
 #include "support/properties.h"
+#include "support/removal.h"
 
 namespace curvdecim::test {
 namespace {
@@ -39,6 +40,14 @@ Shape disturbed(Shape shape, Random& random) {
   return shape;
 }
 
+void expect_within(const DecimationReport& report, const DecimationParams& params,
+                   const Shape& before, const Shape& after) {
+  const double measured =
+      std::max(sampled_distance(before, after), two_sided_distance(before, after));
+  EXPECT_LE(measured, params.max_error * (1.0 + 1e-9));
+  EXPECT_LE(measured, report.max_error * (1.0 + 1e-9) + 1e-14);
+}
+
 TEST(ErrorBound, IsNotBrokenByRandomMeshes) {
   constexpr int runs = 400;
   for (int seed = 0; seed < runs; ++seed) {
@@ -52,11 +61,44 @@ TEST(ErrorBound, IsNotBrokenByRandomMeshes) {
     params.preserve_boundary = random() % 3 != 0;
     params.preserve_topology = random() % 3 != 0;
     const auto [after, report] = decimated(before, params);
-    const double measured =
-        std::max(sampled_distance(before, after), two_sided_distance(before, after));
-    EXPECT_LE(measured, params.max_error * (1.0 + 1e-9));
-    EXPECT_LE(measured, report.max_error * (1.0 + 1e-9) + 1e-14);
+    expect_within(report, params, before, after);
   }
+}
+
+TEST(ErrorBound, OfVertexRemovalIsNotBrokenByRandomMeshes) {
+  constexpr int runs = 400;
+  for (int seed = 0; seed < runs; ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    const Shape before = disturbed(drawn(random), random);
+    VertexRemovalParams params;
+    params.target_faces = 0;
+    params.max_error = diagonal(before) * std::pow(10.0, uniform(random, -3.3, -1.3));
+    params.criterion = static_cast<RemovalCriterion>(random() % 2);
+    params.preserve_normal = random() % 4 != 0;
+    params.preserve_boundary = random() % 3 != 0;
+    const auto [after, report] = thinned(before, params);
+    expect_within(report, params, before, after);
+  }
+}
+
+TEST(ErrorBound, OnOneSideIsNotBrokenByRandomMeshes) {
+  constexpr int runs = 200;
+  int fewer = 0;
+  for (int seed = 0; seed < runs; ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    const Shape before = disturbed(drawn(random), random);
+    EdgeCollapseParams params;
+    params.max_error = diagonal(before) * std::pow(10.0, uniform(random, -3.3, -1.3));
+    params.preserve_boundary = false;
+    const int two_sided = decimated(before, params).report.faces;
+    params.max_error_one_sided = true;
+    const auto [after, report] = decimated(before, params);
+    EXPECT_LE(one_sided_sampled_distance(after, before), params.max_error * (1.0 + 1e-9));
+    fewer += after.face_count() < two_sided;
+  }
+  EXPECT_GT(fewer, runs / 4);
 }
 
 }  // namespace

@@ -205,6 +205,19 @@ TEST(RemovalBound, LeavesFewerFacesWhenItIsWider) {
   }
 }
 
+/// Distances are summed with DistanceBound, and measured with MaxError.
+TEST(RemovalBound, LeavesFewerFacesWhenItIsMeasured) {
+  for (const Shape& before : {icosphere(3), noisy_sphere(3, 0.02), torus(24, 12), saddle(16)}) {
+    const double distance = 0.01 * diagonal(before);
+    VertexRemovalParams measured = removal_within(0.0);
+    measured.max_error = distance;
+    const auto [after, report] = thinned(before, measured);
+    EXPECT_LT(after.face_count(), thinned(before, removal_within(distance)).shape.face_count());
+    EXPECT_GT(report.max_error, 0.8 * distance);
+    EXPECT_EQ(report.stopped_by, StopReason::ErrorBound);
+  }
+}
+
 TEST(RemovalBound, OfMaxErrorAndDistanceBoundTheSmallerCounts) {
   for (const auto& [max_error, distance_bound] : {std::pair(0.01, 1.0), std::pair(1.0, 0.01)}) {
     VertexRemovalParams params = removal_within(distance_bound);

@@ -32,7 +32,8 @@ inline CollapseLimits limits_of(const DecimationParams& params, bool keeps_links
           keeps_links,
           params.preserve_boundary,
           gives_way,
-          params.max_error};
+          params.max_error,
+          params.max_error_one_sided};
 }
 
 }  // namespace curvdecim::test

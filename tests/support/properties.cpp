@@ -175,21 +175,6 @@ double one_sided_distance(const Shape& from, const Shape& to) {
   return largest;
 }
 
-double one_sided_sampled_distance(const Shape& from, const Shape& to) {
-  constexpr int steps = 4;  // 15 points a face
-  const Surface surface(to);
-  double largest = 0.0;
-  for (const Corners& f : from.faces) {
-    const auto [a, b, c] = corners_of(from, f);
-    for (int i = 0; i <= steps; ++i)
-      for (int j = 0; i + j <= steps; ++j) {
-        const Point p = a + (b - a) * (double(i) / steps) + (c - a) * (double(j) / steps);
-        largest = std::max(largest, surface.nearest(p).distance);
-      }
-  }
-  return largest;
-}
-
 double mean_square_distance(const Shape& from, const Shape& to) {
   const Surface surface(to);
   double sum = 0.0, weight = 0.0;
@@ -298,6 +283,21 @@ double distance_to(const Shape& surface, const Point& p) {
 
 double two_sided_distance(const Shape& a, const Shape& b) {
   return std::max(one_sided_distance(a, b), one_sided_distance(b, a));
+}
+
+double one_sided_sampled_distance(const Shape& from, const Shape& to) {
+  constexpr int steps = 4;  // 15 points a face
+  const Surface surface(to);
+  double largest = 0.0;
+  for (const Corners& f : from.faces) {
+    const auto [a, b, c] = corners_of(from, f);
+    for (int i = 0; i <= steps; ++i)
+      for (int j = 0; i + j <= steps; ++j) {
+        const Point p = a + (b - a) * (double(i) / steps) + (c - a) * (double(j) / steps);
+        largest = std::max(largest, surface.nearest(p).distance);
+      }
+  }
+  return largest;
 }
 
 double sampled_distance(const Shape& a, const Shape& b) {

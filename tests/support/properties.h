@@ -51,6 +51,7 @@ double two_sided_distance(const Shape& a, const Shape& b);
 /// Largest distance from a lattice of points on the faces of either, corners and edges included, to
 /// the other.
 double sampled_distance(const Shape& a, const Shape& b);
+double one_sided_sampled_distance(const Shape& from, const Shape& to);
 
 /// The same as two_sided_distance, root of the mean square weighted by area; face centres only.
 double two_sided_rms(const Shape& a, const Shape& b);

@@ -64,6 +64,12 @@ TEST(ErrorBound, OfACornerThatIsCutIsNotBelowWhatIsCutOff) {
   EXPECT_GE(bound_of(plane_grid(4), {0, 1}, {0, 0.25, 0}), 0.25 / std::sqrt(2.0) - 1e-12);
 }
 
+/// The faces that are left lie over each other, but the boundary is gone from under it: 0 before.
+TEST(ErrorBound, OfABoundaryVertexThatGoesInsideIsNotBelowWhatIsCutOff) {
+  EXPECT_GE(bound_of(plane_grid(4), {2, 7}, {0.25, 0.5, 0.0}), 0.25 * std::sqrt(0.5));
+  EXPECT_NEAR(bound_of(plane_grid(4), {2, 7}, {0.0, 0.5, 0.0}), 0.0, 1e-15);
+}
+
 TEST(ErrorBound, IsNeverMoreThanTheVerticesMove) {
   const Shape shape = noisy_sphere(2, 0.05);
   const WorkingMesh mesh = working_mesh(shape);

@@ -25,7 +25,7 @@ InputSurface surface_of(const Shape& shape) {
 WorkingMesh refined(const Shape& input, const Shape& mesh, int sweeps) {
   WorkingMesh result = working_mesh(mesh);
   const InputSurface surface = surface_of(input);
-  Refinement(result, surface, CollapsePlan(), one_thread).run(sweeps);
+  Refinement(result, surface, CollapsePlan(), nullptr, one_thread).run(sweeps);
   return result;
 }
 
@@ -97,7 +97,7 @@ TEST(VertexFit, MovesNoLockedVertex) {
   WorkingMesh result = working_mesh(mesh);
   result.locked[3] = 1;
   const InputSurface surface = surface_of(input);
-  Refinement(result, surface, CollapsePlan(), one_thread).run(2);
+  Refinement(result, surface, CollapsePlan(), nullptr, one_thread).run(2);
   EXPECT_EQ(result.position[3], mesh.vertices[3]);
   EXPECT_NE(result.position[4], mesh.vertices[4]);
 }

@@ -153,7 +153,7 @@ TEST(RemovalOperator, ErrorsAddUpAtTheNeighbours) {
 
 TEST(RemovalOperator, RefusesWhatWouldExceedTheBound) {
   VertexRemovalParams params;
-  params.max_error = 0.05;
+  params.distance_bound = 0.05;
   Shape bump = fan(6);
   bump.vertices[0].z() = 0.1;
   EXPECT_EQ(refusal(bump, 0, params), Rejection::ErrorBound);

@@ -26,7 +26,10 @@ Found sheet_of(const Shape& shape, const Triangle& t, double limit) {
   const TriangleTree tree(reference, reference.size(), Parallel(1));
   Found found;
   found.sheet = SheetOverFace(reference).find(t, tree.nearest(center_of(t), -1).face, limit,
-                                              [&](int r) { found.over.push_back(r); });
+                                              [&](int r, double height) {
+                                                EXPECT_LE(height, limit);
+                                                found.over.push_back(r);
+                                              });
   return found;
 }
 

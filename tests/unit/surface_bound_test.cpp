@@ -20,8 +20,10 @@ struct Asked {
   WorkingMesh mesh;
   SurfaceBound bound;
 
-  explicit Asked(const Shape& shape, double to = limit)
-      : mesh(working_mesh(shape)), bound(mesh, to, Parallel(1)) {
+  SurfaceChange change;
+
+  explicit Asked(const Shape& shape, bool one_sided = false)
+      : mesh(working_mesh(shape)), bound(mesh, limit, one_sided, Parallel(1)) {
     EXPECT_LE(bound.begin(mesh, mesh.connectivity.face_slots(), Parallel(1)).value(), 1e-8);
   }
 
@@ -31,11 +33,25 @@ struct Asked {
     return around;
   }
 
-  double after(Edge edge, const Vector3& x) { return bound.after(mesh, around(edge), x); }
+  double after(Edge edge, const Vector3& x) {
+    change.set_collapse(mesh, around(edge), x);
+    return bound.after(mesh, change);
+  }
 
   void collapse(Edge edge, const Vector3& x) {
     ASSERT_LE(after(edge, x), limit);
-    bound.accept();
+    bound.accept(change);
+    move(edge, x);
+  }
+
+  /// The same unasked; the distance is known.
+  void collapse_within(double distance, Edge edge, const Vector3& x) {
+    change.set_collapse(mesh, around(edge), x);
+    bound.follow(mesh, change, distance);
+    move(edge, x);
+  }
+
+  void move(Edge edge, const Vector3& x) {
     mesh.position[edge.a] = x;
     mesh.connectivity.collapse(edge.a, edge.b);
   }
@@ -91,9 +107,39 @@ TEST(SurfaceBound, LooksFromTheInputToo) {
   EXPECT_LE(asked.after(at_corner, {0, 0, 0}), 1e-8);
 }
 
+TEST(SurfaceBound, OneSidedLooksFromTheMeshOnly) {
+  Asked asked(plane_grid(cells), true);
+  const Edge at_corner{vertex(0, 0), vertex(1, 0)};
+  EXPECT_LE(asked.after(at_corner, {1.0 / cells, 0, 0}), 1e-8);
+  EXPECT_GT(asked.after(at_corner, {-1.001 * limit, 0, 0}), limit);
+}
+
+/// What was not asked about is known to what comes after: the input and how far it is.
+TEST(SurfaceBound, FollowsWhatIsKnownToBeNear) {
+  Asked asked(plane_grid(cells));
+  const Vector3 lift(0, 0, 0.6 * limit);
+  asked.collapse_within(0.6 * limit, inside, middle_of(asked, inside) + lift);
+  const Edge next{vertex(3, 4), vertex(5, 4)};
+  EXPECT_GT(asked.after(next, middle_of(asked, next) + 2.0 * lift), limit);
+  EXPECT_EQ(asked.bound.before(asked.change), 0.6 * limit);
+  asked.collapse(next, {0.5, 0.5, 0.0});
+  asked.change.set_collapse(asked.mesh, asked.around({vertex(3, 4), vertex(3, 5)}), {0.5, 0.5, 0});
+  EXPECT_LT(asked.bound.before(asked.change), 0.6 * limit);
+}
+
+TEST(SurfaceBound, TellsWhichFacesHaveMovedTooFar) {
+  Asked asked(plane_grid(cells));
+  EXPECT_TRUE(asked.bound.reached(asked.mesh, Parallel(2)).too_far.empty());
+  asked.mesh.position[vertex(4, 4)].z() = just_inside;
+  EXPECT_NEAR(asked.bound.reached(asked.mesh, Parallel(2)).distance, just_inside, 1e-8);
+  asked.mesh.position[vertex(4, 4)].z() = 1.001 * limit;
+  const auto moved = asked.mesh.connectivity.faces_of(vertex(4, 4));
+  EXPECT_EQ(asked.bound.reached(asked.mesh, Parallel(2)).too_far.size(), moved.size());
+}
+
 TEST(SurfaceBound, BeginsWithNothingThatIsTooFar) {
   const WorkingMesh input = working_mesh(plane_grid(cells));
-  SurfaceBound bound(input, limit, Parallel(1));
+  SurfaceBound bound(input, limit, false, Parallel(1));
   const WorkingMesh near = working_mesh(translated(plane_grid(2), {0, 0, just_inside}));
   const WorkingMesh far = working_mesh(translated(plane_grid(2), {0, 0, 1.001 * limit}));
   const WorkingMesh part = working_mesh(scaled(plane_grid(2), 0.9));
@@ -109,7 +155,7 @@ TEST(SurfaceBound, BeginsWithNothingThatIsTooFar) {
 
 TEST(SurfaceBound, ThatSamplesHoldNeedNotHoldAllOver) {
   const WorkingMesh input = working_mesh(bumpy_sphere(2));
-  const SurfaceBound bound(input, limit, Parallel(2));
+  const SurfaceBound bound(input, limit, false, Parallel(2));
   const auto holds = [&](const Shape& shape, double share) {
     const WorkingMesh mesh = working_mesh(shape);
     return bound.holds_in_samples(mesh, shape.face_count(), share, Parallel(2));

@@ -19,10 +19,10 @@ void begin_measuring(SurfaceBound& bound, const WorkingMesh& mesh,
     const Renumbering without_gaps(mesh.connectivity);
     collapses.renumber(without_gaps), rests.renumber(without_gaps);
     const auto distance = bound.begin(mesh, mesh.connectivity.face_slots(), parallel);
-    if (!distance) return collapses.rely_on_sums();
+    if (!distance) return collapses.bound().rely_on_sums();
     tally.note_error(*distance);
   }
-  collapses.measure_with(bound);
+  collapses.bound().measure_with(bound);
 }
 
 /// Collapses edges of the mesh, the cheapest first, as far as the plan says:

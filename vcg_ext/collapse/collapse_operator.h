@@ -90,6 +90,19 @@ class CollapseOperator {
     return evaluate(edge, wings_of(mesh_, edge));
   }
 
+  /// Onto its ends, the cheaper one first, where it may collapse to anywhere.
+  std::vector<Candidate> onto_ends(Edge edge) const {
+    std::vector<Candidate> ends;
+    if (rule_(edge) != Allowed::Anywhere || has_too_many_faces(edge)) return ends;
+    for (const Allowed end : {Allowed::OntoA, Allowed::OntoB})
+      if (auto candidate = metric_.evaluate(edge, end, wings_of(mesh_, edge))) {
+        candidate->cost *= importance(edge);
+        ends.push_back(*candidate);
+      }
+    if (ends.size() == 2 && ends[1].cost < ends[0].cost) std::swap(ends[0], ends[1]);
+    return ends;
+  }
+
   /// The edge between v and its neighbour, as a choice of its lower vertex; none where it may not
   /// collapse.
   EdgeChoice choice(int v, const RingVertex& neighbor) const {
@@ -143,6 +156,12 @@ class CollapseOperator {
     return answer;
   }
 
+  /// Settles what was left open of an answer, if it has to be known: the collapse was asked about
+  /// last, and is to be done.
+  void settle(GuardAnswer& answer) const {
+    if (!answer.refusal && !answer.obstacle.exists()) guards_.settle(answer);
+  }
+
   // --- collapse ---------------------------------------------------------------------------------
 
   /// Called before collapses with numbers below `count`.
@@ -183,9 +202,8 @@ class CollapseOperator {
     return {done.keep, done.gone, removed};
   }
 
-  /// How the error is bounded: guard/collapse_guards.h.
-  void measure_with(SurfaceBound& bound) { guards_.measure_with(bound); }
-  void rely_on_sums() { guards_.rely_on_sums(); }
+  /// How the error is bounded: guard/collapse_bound.h.
+  CollapseBound& bound() { return guards_.bound(); }
 
   void renumber(const Renumbering& numbers) {
     mesh_.renumber(numbers), metric_.renumber(numbers), guards_.renumber(numbers);

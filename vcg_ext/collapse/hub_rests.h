@@ -35,6 +35,14 @@ class HubRests {
     return answer;
   }
 
+  /// Settles the answer about the edge asked about last.
+  void settle(Edge edge, GuardAnswer& answer) {
+    if (answer.refusal) return;
+    collapses_.settle(answer);
+    const int busier = collapses_.valence(edge.a) > collapses_.valence(edge.b) ? edge.a : edge.b;
+    if (answer.refusal && collapses_.is_hub(busier)) send_to_rest(busier);
+  }
+
   /// The cheapest edge of v, to a neighbour with a higher index, that is not refused. Only some of
   /// a hub's edges are asked about.
   EdgeChoice cheapest_possible(int v, Scratch& scratch) {

@@ -125,9 +125,9 @@ class StrictSchedule {
         queue_.set(edge.a, collapses_.cheapest(edge.a, scratch_));
         continue;
       }
-      const GuardAnswer answer = ask(edge, *candidate);
-      if (answer.refusal ||
-          (answer.price > 0.0 && is_behind(edge, candidate->cost + answer.price))) {
+      const GuardAnswer answer = ask_settled(edge, *candidate);
+      if (answer.refusal == Rejection::ErrorBound && collapse_onto_end(edge, tally)) continue;
+      if (answer.refusal || is_behind(edge, candidate->cost + answer.price)) {
         if (answer.refusal) ++tally.rejected[*answer.refusal];
         queue_.set(edge.a, rests_.cheapest_possible(edge.a, scratch_));
         continue;
@@ -202,6 +202,25 @@ class StrictSchedule {
   GuardAnswer ask(Edge edge, const Candidate& candidate) {
     return queue_.top_has_price() ? collapses_.ask(edge, candidate, scratch_)
                                   : rests_.ask(edge, candidate, scratch_);
+  }
+
+  /// The bound is asked last, and only where the collapse would be done.
+  GuardAnswer ask_settled(Edge edge, const Candidate& candidate) {
+    GuardAnswer answer = ask(edge, candidate);
+    if (!is_behind(edge, candidate.cost + answer.price)) rests_.settle(edge, answer);
+    return answer;
+  }
+
+  /// Where it would leave the bound at its best place, it may be within it at an end.
+  bool collapse_onto_end(Edge edge, Tally& tally) {
+    for (const Candidate& end : collapses_.onto_ends(edge)) {
+      GuardAnswer answer = collapses_.ask(edge, end, scratch_);
+      rests_.settle(edge, answer);
+      if (answer.refusal || answer.obstacle.exists()) continue;
+      collapse(end, answer.error_bound, tally);
+      return true;
+    }
+    return false;
   }
 
   /// True if the edge became costlier since it was queued, and is no longer the cheapest.

@@ -4,13 +4,12 @@
 #include <optional>
 #include <vector>
 
+#include "vcg_ext/guard/collapse_bound.h"
 #include "vcg_ext/guard/collapse_rule.h"
-#include "vcg_ext/guard/error_bound.h"
 #include "vcg_ext/guard/face_guard.h"
 #include "vcg_ext/guard/fold.h"
 #include "vcg_ext/guard/obstacle.h"
 #include "vcg_ext/guard/spike.h"
-#include "vcg_ext/guard/surface_bound.h"
 #include "vcg_ext/mesh/working_mesh.h"
 #include "vcg_ext/report.h"
 
@@ -19,7 +18,8 @@ namespace curvdecim::detail {
 /// Whether a collapse may be done.
 struct GuardAnswer {
   std::optional<Rejection> refusal;  ///< nullopt: it may
-  double error_bound = 0.0;          ///< of the faces around, were it done; 0 without a bound
+  double error_bound = 0.0;          ///< of the faces around, were it done; 0 without a bound;
+                                     ///< above it: to be settled, if it is to be done
   double price = 0.0;                ///< beside the cost: area times squared distance, in the box
   Obstacle obstacle{};               ///< to be cleared instead; then the edge is asked about again
 };
@@ -34,8 +34,7 @@ class CollapseGuards {
         link_condition_(limits.keeps_topology || limits.max_error > 0.0),
         keeps_normal_(limits.faces.keeps_normal),
         face_guard_(mesh, limits.faces),
-        max_error_(limits.max_error),
-        bound_(mesh, share_of_sums * limits.max_error) {
+        bound_(mesh, limits.max_error) {
     if (limits.topology_gives_way) obstacle_price_.emplace(mesh);
   }
 
@@ -58,27 +57,29 @@ class CollapseGuards {
     if (keeps_normal_ && !answer.obstacle.exists() && folds(mesh_, around, after))
       return {Rejection::NormalFlip};
     if (!bound_.active()) return answer;
-    answer.error_bound =
-        measured_ ? measured_->after(mesh_, around, x) : bound_.after(mesh_, around, x);
-    if (!(measured_ ? answer.error_bound <= max_error_ : bound_.allows(answer.error_bound)))
-      return {Rejection::ErrorBound};
+    const std::optional<double> distance = bound_.after(around, x);
+    if (!distance) return {Rejection::ErrorBound};
+    answer.error_bound = *distance;
     return answer;
+  }
+
+  /// Settles an answer about the collapse that was asked about last.
+  void settle(GuardAnswer& answer) const {
+    if (!bound_.active()) return;
+    const std::optional<double> distance = bound_.settle(answer.error_bound);
+    if (!distance)
+      answer = {Rejection::ErrorBound};
+    else
+      answer.error_bound = *distance;
   }
 
   /// To be told of every collapse that is done, with the bound of the answer.
   void accept(const EdgeNeighborhood& around, double error_bound) {
-    if (measured_)
-      measured_->accept();
-    else if (bound_.active())
-      bound_.set(around, error_bound);
+    bound_.accept(around, error_bound);
   }
 
-  /// From now on distances to the input are measured where there is a bound: edges have to be asked
-  /// about and collapsed one by one. bound: has begun with the mesh.
-  void measure_with(SurfaceBound& bound) { measured_ = &bound; }
-
-  /// The sum of moves may go up to the bound itself.
-  void rely_on_sums() { bound_.set_limit(max_error_); }
+  /// How the error is bounded: guard/collapse_bound.h.
+  CollapseBound& bound() { return bound_; }
 
   /// What it costs that the topology gives way; nullptr: it does not.
   const ObstaclePrice* obstacle_price() const {
@@ -94,10 +95,6 @@ class CollapseGuards {
   }
 
  private:
-  /// Share of the bound that sums go to before distances are measured. Sums cost little and go
-  /// together, but count what comes back; from .03 to .1 as many faces are left.
-  static constexpr double share_of_sums = 0.1;
-
   Obstacle obstacle(const EdgeNeighborhood& around) const {
     if (obstacle_price_)
       return find_obstacle(mesh_, around, rule_.of_kinds(around.edge()).has_value());
@@ -110,9 +107,7 @@ class CollapseGuards {
   const bool keeps_normal_;
   FaceGuard face_guard_;
   std::optional<ObstaclePrice> obstacle_price_;  // where the topology gives way
-  const double max_error_;
-  ErrorBound bound_;
-  SurfaceBound* measured_ = nullptr;  // not yet
+  CollapseBound bound_;
 };
 
 }  // namespace curvdecim::detail

@@ -28,8 +28,8 @@ class DistanceToInput {
   }
 
   /// Infinite where it is above the limit, or cannot be told after so many parts. start: near the
-  /// middle. Calls lies_over(r) with faces of the input that are near the triangle, whatever the
-  /// answer is; not with all.
+  /// middle. Calls lies_over(r, height) with faces of the input that are near the triangle,
+  /// whatever the answer is; not with all.
   template <class LiesOver>
   double of(const Triangle& t, int start, int most_parts, LiesOver lies_over) {
     const auto sheet = sheet_.find(t, start, limit_, lies_over);

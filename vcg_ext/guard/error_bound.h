@@ -17,6 +17,8 @@ namespace curvdecim::detail {
 /// at most the sum of what each collapse moved it, and every face carries the largest sum in it.
 class ErrorBound {
  public:
+  using Patch = PatchDistance::Patch;
+
   /// limit: in the unit of the working mesh; 0 for none.
   ErrorBound(const WorkingMesh& mesh, double limit)
       : limit_(limit), of_face_(limit > 0.0 ? mesh.plane.size() : 0, 0.0) {}
@@ -31,6 +33,21 @@ class ErrorBound {
     return before + moved(mesh, around, x);
   }
 
+  /// How far the collapse moves a point at most.
+  static double moved(const WorkingMesh& mesh, const EdgeNeighborhood& around, const Vector3& x) {
+    const Vector3 &a = mesh.position[around.edge().a], &b = mesh.position[around.edge().b];
+    const double linear =
+        std::max((a - x).norm(), (b - x).norm());  // a and b go to x, the rest follows
+    if (mesh.connectivity.is_hub(around.edge().a) || mesh.connectivity.is_hub(around.edge().b))
+      return linear;  // to look closer takes the square of the faces
+    if (around.wings().size() == 2 && !keeps_outline(mesh, around.edge(), x)) return linear;
+    Patch after;
+    for (int f : around.star()) after.push_back(triangle_after(mesh, f, around.edge(), x));
+    const double along =
+        around.wings().size() == 2 ? inner(mesh, around, after, x) : outer(mesh, around, after, x);
+    return std::min(linear, along);
+  }
+
   bool allows(double bound) const { return bound <= limit_; }
   void set_limit(double limit) { limit_ = limit; }
 
@@ -41,20 +58,12 @@ class ErrorBound {
   void renumber(const Renumbering& numbers) { numbers.faces(of_face_); }
 
  private:
-  using Patch = PatchDistance::Patch;
-
-  /// How far the collapse moves a point at most.
-  static double moved(const WorkingMesh& mesh, const EdgeNeighborhood& around, const Vector3& x) {
-    const Vector3 &a = mesh.position[around.edge().a], &b = mesh.position[around.edge().b];
-    const double linear =
-        std::max((a - x).norm(), (b - x).norm());  // a and b go to x, the rest follows
-    if (mesh.connectivity.is_hub(around.edge().a) || mesh.connectivity.is_hub(around.edge().b))
-      return linear;  // to look closer takes the square of the faces
-    Patch after;
-    for (int f : around.star()) after.push_back(triangle_after(mesh, f, around.edge(), x));
-    const double along =
-        around.wings().size() == 2 ? inner(mesh, around, after, x) : outer(mesh, around, after, x);
-    return std::min(linear, along);
+  /// False where an edge that is none of the boundary takes an end off it.
+  static bool keeps_outline(const WorkingMesh& mesh, Edge edge, const Vector3& x) {
+    const auto keeps = [&](int v) {
+      return mesh.kind[v] == VertexKind::Interior || mesh.position[v] == x;
+    };
+    return keeps(edge.a) && keeps(edge.b);
   }
 
   static double inner(const WorkingMesh& mesh, const EdgeNeighborhood& around, Patch after,

@@ -18,11 +18,12 @@ struct FaceLimits {
 /// What a collapse may do.
 struct CollapseLimits {
   FaceLimits faces;
-  bool keeps_topology = true;       ///< link condition, and kinds of vertices
-  bool keeps_boundary = true;       ///< boundary vertices go along the boundary only
-  bool topology_gives_way = false;  ///< by size: parts, holes and handles may go at a price
-  double max_error = 0.0;           ///< two-sided distance to the input, in the box; 0: no bound
-  double attribute_weight = 0.0;    ///< of what is carried, where it drifts, against the surface
+  bool keeps_topology = true;        ///< link condition, and kinds of vertices
+  bool keeps_boundary = true;        ///< boundary vertices go along the boundary only
+  bool topology_gives_way = false;   ///< by size: parts, holes and handles may go at a price
+  double max_error = 0.0;            ///< distance to the input, in the box; 0: no bound
+  bool max_error_one_sided = false;  ///< from the result to the input only
+  double attribute_weight = 0.0;     ///< of what is carried, where it drifts, against the surface
 };
 
 /// Cosine of the largest turn, which is a part of the limits' angle, with a margin: two faces on

@@ -59,9 +59,9 @@ class SheetOverFace {
   explicit SheetOverFace(const ReferenceSurface& reference)
       : reference_(reference), seen_(reference.size(), 0) {}
 
-  /// nullopt: there is no sheet over the middle part of the face. Calls lies_over(r) with faces of
-  /// the reference that lie over nothing but the face, whatever the answer is. start: a face of the
-  /// reference over it.
+  /// nullopt: there is no sheet over the middle part of the face. Calls lies_over(r, height) with
+  /// faces of the reference that lie over nothing but the face, whatever the answer is. start: a
+  /// face of the reference over it.
   template <class LiesOver>
   std::optional<Result> find(const Triangle& face, int start, double limit, LiesOver lies_over) {
     const PlaceOverFace place(face);
@@ -76,7 +76,7 @@ class SheetOverFace {
       const Piece corners(reference_.triangle(r), place);
       const Piece piece = corners.inside();
       const double height = piece.height() + slack, area = piece.area();
-      if (height <= limit && corners.lies_over()) lies_over(r);
+      if (height <= limit && corners.lies_over()) lies_over(r, height);
       if (side == 0.0) side = area > 0.0 ? 1.0 : -1.0;
       if (height > limit || !(side * area > 0.0)) {
         end_at(corners, result);

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "vcg_ext/clustering/first_seen.h"
+#include "vcg_ext/geometry/mixed.h"
 #include "vcg_ext/measure/measured_surface.h"
 
 namespace curvdecim::detail {

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "vcg_ext/attributes/carried.h"
+#include "vcg_ext/guard/surface_bound.h"
+#include "vcg_ext/mesh/tally.h"
 #include "vcg_ext/mesh/working_mesh.h"
 #include "vcg_ext/parallel/parallel.h"
 #include "vcg_ext/refine/curve_samples.h"
@@ -32,16 +34,19 @@ namespace curvdecim::detail {
 ///     flip the edges that lower the error                                  (edge_flips.h)
 ///     steps of all vertices that fit the samples best                      (vertex_fit.h)
 ///     shorten the steps that would spoil or fold a face, or lead astray    (move_guard.h)
+///   max_error? no edge is flipped, and what has come too far goes back  (guard/surface_bound.h)
 ///
 /// Locked vertices and those of non-manifold curves stay; those of borders and of seams move with
 /// these.
 class Refinement {
  public:
-  /// mesh: without gaps in its numbers; input: what the mesh was before the collapses.
+  /// mesh: without gaps in its numbers; input: what the mesh was before the collapses. bound: has
+  /// begun with the mesh; nullptr without one.
   Refinement(WorkingMesh& mesh, const InputSurface& input, const CollapsePlan& plan,
-             const Parallel& parallel)
+             const SurfaceBound* bound, const Parallel& parallel)
       : mesh_(mesh),
         input_(input),
+        bound_(bound),
         parallel_(parallel),
         area_(total_area(input)),
         limits_(area_, face_count()),
@@ -69,6 +74,7 @@ class Refinement {
       const MatchLimits limits = sweep == 0 && has_curves() ? limits_.without_walks() : limits_;
       parallel_.progress().along(start, start + one, [&] { sweep_once(limits, fixed); });
     }
+    if (bound_) distance_ = return_within(*bound_);
     if (has_texture) parallel_.progress().along(swept, 1.0, [&] { fit_texture(); });
   }
 
@@ -86,6 +92,9 @@ class Refinement {
     of_vertex.erase(std::remove_if(of_vertex.begin(), of_vertex.end(), is_none), of_vertex.end());
     return of_vertex;
   }
+
+  /// With a bound: the distance to the input that is left.
+  double distance() const { return distance_; }
 
   /// How wedges have followed their vertices, in an order in which it can be replayed.
   const std::vector<BlendStep>& wedge_steps() const { return wedge_steps_; }
@@ -106,7 +115,7 @@ class Refinement {
     ProgressMeter& progress = parallel_.progress();
     progress.along(0.0, third, [&] { match_surface(limits), match_curves(); });
     progress.along(third, 2.0 * third, [&] {
-      EdgeFlips(mesh_, of_input_, of_mesh_, guard_, drift_).run(near_, parallel_);
+      if (!bound_) EdgeFlips(mesh_, of_input_, of_mesh_, guard_, drift_).run(near_, parallel_);
     });
     progress.along(2.0 * third, 1.0, [&] { fit(fixed); });
   }
@@ -141,11 +150,30 @@ class Refinement {
   void fit(const std::vector<std::uint8_t>& fixed) {
     std::vector<Vector3> steps =
         VertexFit(mesh_, parallel_).steps(of_input_, of_mesh_, {&of_border_, &of_seams_}, fixed);
-    std::vector<Vector3> now = guard_.moved(std::move(steps), near_, farthest(), parallel_);
+    move_to(guard_.moved(std::move(steps), near_, farthest(), parallel_));
+  }
+
+  void move_to(std::vector<Vector3> now) {
     if (mesh_.wedges.exist()) WedgeMoves(mesh_, parallel_).follow(now, wedge_steps_);
     mesh_.position.swap(now);
     mesh_.update_planes(parallel_);
     mesh_tree_.refit(parallel_);
+  }
+
+  /// The corners of faces that are too far go back to where they were, which may bring others too
+  /// far; in the end all do. Returns the distance, 0 if all have.
+  double return_within(const SurfaceBound& bound) {
+    constexpr int most_rounds = 10;  // a few are enough nearly always
+    for (int round = 0;; ++round) {
+      if (mesh_.position == before_) return 0.0;
+      const auto [distance, too_far] = bound.reached(mesh_, parallel_);
+      if (too_far.empty()) return distance;
+      std::vector<Vector3> now = mesh_.position;
+      for (int f : too_far)
+        for (int v : mesh_.connectivity.face(f)) now[v] = before_[v];
+      const bool is_stuck = round == most_rounds || now == mesh_.position;
+      move_to(is_stuck ? before_ : std::move(now));
+    }
   }
 
   /// Where vertices moved, inside charts.
@@ -193,6 +221,7 @@ class Refinement {
 
   WorkingMesh& mesh_;
   const InputSurface& input_;
+  const SurfaceBound* const bound_;
   const Parallel& parallel_;
   const double area_;  // of the input
   const MatchLimits limits_;
@@ -205,6 +234,7 @@ class Refinement {
   MoveGuard guard_;
   TextureDrift drift_;
   std::vector<BlendStep> wedge_steps_;
+  double distance_ = 0.0;
   std::vector<int> near_;  // by face of the mesh: a face of the input near it
 };
 
@@ -224,17 +254,19 @@ inline void pack(WorkingMesh& mesh) {
 }
 
 /// Moves vertices and flips edges of the decimated mesh, as often as the plan says, to bring it
-/// closer to the input. Throws CancelRequest.
+/// closer to the input. bound: nullptr without one. Throws CancelRequest.
 inline void refine(WorkingMesh& decimated, std::optional<InputCopy> input, const CollapsePlan& plan,
-                   Carried& carried, const Parallel& parallel) {
+                   SurfaceBound* bound, Carried& carried, const Parallel& parallel, Tally& tally) {
   if (!input) return;
   plan.times.begin_refining(parallel.progress());
   pack(decimated);
   if (decimated.connectivity.face_count() == 0) return;  // may be without the link condition
+  if (bound && !bound->begin(decimated, decimated.connectivity.face_slots(), parallel)) return;
   const InputSurface surface(std::move(*input));
   parallel.progress().ask();
-  Refinement refinement(decimated, surface, plan, parallel);
+  Refinement refinement(decimated, surface, plan, bound, parallel);
   refinement.run(plan.refine_sweeps);
+  tally.note_error(refinement.distance());
   carried.resampled = refinement.attributes();
   carried.blended.append(refinement.wedge_steps());
   assert((decimated.connectivity.validate(), true));

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "vcg_ext/guard/face_guard.h"
+#include "vcg_ext/guard/step_bound.h"
 #include "vcg_ext/queue/priority.h"
 #include "vcg_ext/removal/average_plane.h"
 #include "vcg_ext/removal/loop_triangulation.h"
@@ -23,6 +24,7 @@ struct RemovalAnswer {
   std::optional<Rejection> refusal;  ///< nullopt: it may
   double cost = 0.0;
   double error = 0.0;  ///< how far the new faces would be from the input, at most
+  double moved = 0.0;  ///< how far they would be from the old ones, at most
 };
 
 /// Evaluates vertices, asks the guards, removes: what both criteria share. Calls that look may run
@@ -56,6 +58,9 @@ class RemovalOperator {
         error_(mesh.position.size(), 0.0),
         spent_(mesh.position.size(), 0.0),
         observers_(std::move(observers)) {}
+
+  /// From now on the distance to the input is measured. bound: has begun with the mesh.
+  void measure_with(SurfaceBound& bound) { bound_.emplace(bound); }
 
   // --- candidates -------------------------------------------------------------------------------
 
@@ -101,6 +106,15 @@ class RemovalOperator {
     return answer.refusal && lines_.edges_at(v, EdgeMark::Held) == 0 ? across(v, scratch) : answer;
   }
 
+  /// Settles whether the removal evaluated last stays within the bound of the distance.
+  void settle(RemovalAnswer& answer, const Scratch& scratch) {
+    if (!bound_ || answer.refusal) return;
+    set_change(scratch, bound_->change());
+    const auto distance = bound_->known(answer.moved) ? bound_->measure(mesh_) : std::nullopt;
+    if (!distance) answer = {Rejection::ErrorBound};
+    answer.error = distance.value_or(0.0);
+  }
+
   Priority priority(int v, const RemovalAnswer& answer) const {
     return {importance(v) * answer.cost, 0.0};
   }
@@ -112,6 +126,7 @@ class RemovalOperator {
   /// Removes the vertex evaluated last. Its neighbours take over what it was off.
   Removed remove(const RemovalAnswer& answer, const Scratch& scratch) {
     const VertexFan& fan = scratch.fan;
+    if (bound_) bound_->accept(mesh_);
     for (RemovalObserver* observer : observers_) observer->before(mesh_, fan, scratch.faces);
     if (mesh_.wedges.exist()) hand_over_wedges(scratch.faces);
     if (mesh_.merges.exists()) note_merge(fan);
@@ -140,6 +155,12 @@ class RemovalOperator {
     Vector3 foot;     // of the vertex
     double distance;  // of the vertex from its foot
   };
+
+  void set_change(const Scratch& scratch, SurfaceChange& change) const {
+    change.gone = scratch.fan.faces(), change.now.clear();
+    for (const NewFace& face : scratch.faces)
+      change.now.push_back({face.slot, triangle_of(mesh_.position, face.corners)});
+  }
 
   /// A vertex that goes counts as merged with the nearest one around it.
   void note_merge(const VertexFan& fan) {
@@ -260,11 +281,12 @@ class RemovalOperator {
   /// slide: how far the vertex is from its line.
   RemovalAnswer answer(int v, const Filled& filled, double slide) const {
     if (filled.refusal) return {filled.refusal};
-    if (plan_.max_error > 0.0 && filled.error > plan_.max_error) return {Rejection::ErrorBound};
+    if (plan_.max_sum > 0.0 && filled.error > plan_.max_sum) return {Rejection::ErrorBound};
     double area = 0.0;
     for (int f : mesh_.connectivity.faces_of(v)) area += mesh_.plane[f].area;
     const double distance = filled.step + line_weight(v) * significant(slide, area);
-    return {std::nullopt, spent_[v] + distance * distance * area, filled.error};
+    return {std::nullopt, spent_[v] + distance * distance * area, filled.error,
+            filled.step + slide};
   }
 
   /// Appends the new faces of the part, if no guard refuses them.
@@ -307,6 +329,7 @@ class RemovalOperator {
   std::vector<double> error_;  // by vertex: how far a point of the faces at it is from the input
   std::vector<double> spent_;  // by vertex: its share of what removals near it have cost
   const RemovalObservers observers_;
+  std::optional<StepBound> bound_;
 };
 
 }  // namespace curvdecim::detail

@@ -14,7 +14,9 @@ struct RemovalPlan {
   StopCriterion stop;
   FaceLimits faces;
   RemovalCriterion criterion = RemovalCriterion::Heap;
-  double max_error = 0.0;         ///< on the sum of distances at a vertex; 0: no bound
+  double max_sum = 0.0;    ///< of distances at a vertex; 0: no bound
+  double max_error = 0.0;  ///< distance to the input; 0: no bound
+  bool max_error_one_sided = false;
   double aspect_ratio_min = 0.0;  ///< of the lines that split a loop
   double feature_angle = 60.0;    ///< degrees
   bool preserve_features = false;

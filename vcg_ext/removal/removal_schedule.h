@@ -97,13 +97,16 @@ class RemovalSchedule {
       if (queue_.empty()) return StopReason::NothingLeft;
       if (steps % steps_per_progress == 0) show_progress();
       const int v = queue_.top().index;
-      const RemovalAnswer answer = removals_.evaluate(v, scratch_);
+      RemovalAnswer answer = removals_.evaluate(v, scratch_);
+      if (!answer.refusal && is_behind(v, answer)) {
+        exact_[v] = 1;
+        continue;
+      }
+      removals_.settle(answer, scratch_);
       if (answer.refusal) {
         ++tally_.rejected[*answer.refusal];
         queue_.remove(v);
         rest_[v] = rest_after_refusal(v);
-      } else if (is_behind(v, answer)) {
-        exact_[v] = 1;
       } else {
         queue_.remove(v);
         remove(answer);
@@ -157,7 +160,8 @@ class RemovalSchedule {
       if (!about) continue;
       double distance = about->distance;
       if (distance <= threshold) {
-        const RemovalAnswer answer = removals_.evaluate(v, scratch_);
+        RemovalAnswer answer = removals_.evaluate(v, scratch_);
+        removals_.settle(answer, scratch_);
         if (answer.refusal) {
           ++tally_.rejected[*answer.refusal];
           continue;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cassert>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -39,6 +40,11 @@ inline std::vector<VertexClass> classify(WorkingMesh& mesh, const RemovalPlan& p
 inline Tally remove_vertices(WorkingMesh& mesh, const RemovalPlan& plan, RemovalObservers observers,
                              const Parallel& parallel) {
   RemovalOperator removals(mesh, feature_edges(mesh, plan, parallel), plan, std::move(observers));
+  std::optional<SurfaceBound> bound;
+  if (plan.max_error > 0.0 && mesh.connectivity.face_count() > 0) {
+    bound.emplace(mesh, plan.max_error, plan.max_error_one_sided, parallel);
+    bound->begin_with_input(), removals.measure_with(*bound);
+  }
   const Tally tally = RemovalSchedule(mesh, removals, plan, parallel).run();
   assert((mesh.connectivity.validate(), true));
   return tally;

@@ -101,6 +101,7 @@ inline std::optional<CollapsePlan> plan_collapse(const DecimationParams& params,
   plan.limits.keeps_boundary = params.preserve_boundary;
   plan.limits.topology_gives_way = !params.preserve_topology && !(params.max_error > 0.0);
   plan.limits.max_error = bound_in_box(params, input);
+  plan.limits.max_error_one_sided = params.max_error_one_sided;
   plan.rounding = input.rounding;
   plan.limits.attribute_weight = params.attribute_weight;
   plan.metric = quadric_plan(params, QuadricParams(), true);
@@ -125,9 +126,7 @@ inline std::optional<CollapsePlan> plan_collapse(const EdgeCollapseParams& reque
   plan->pair_distance = params.pair_distance / input.diagonal;
   if (keeps_links)
     plan->schedule.passes_goal = passes_goal(params.scheduler, plan->stop, params.max_error > 0.0);
-  // No bound is known for a vertex that moves on its own, and HalfEdge moves none.
-  if (params.max_error == 0.0 && params.placement != Placement::HalfEdge)
-    plan->refine_sweeps = params.refine_sweeps;
+  if (params.placement != Placement::HalfEdge) plan->refine_sweeps = params.refine_sweeps;
   plan->times = collapse_times(*plan);
   return plan;
 }
@@ -141,7 +140,7 @@ inline std::optional<CollapsePlan> plan_collapse(const SphereParams& params,
   plan->metric = metric_plan(params);
   if (params.energy == SphereEnergy::Poster) plan->cost_unit = CostUnit::AreaTimesLength;
   if (params.placement != SpherePlacement::Free3D) plan->schedule = {};
-  if (params.max_error == 0.0) plan->refine_sweeps = params.refine_sweeps;
+  plan->refine_sweeps = params.refine_sweeps;
   plan->times = collapse_times(*plan);
   return plan;
 }

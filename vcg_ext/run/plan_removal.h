@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <algorithm>
 #include <optional>
 
 #include "vcg_ext/removal/removal_plan.h"
@@ -9,18 +8,14 @@
 
 namespace curvdecim::detail {
 
-/// The smaller of both bounds on the accumulated error; 0: there is none.
-inline double tighter_bound(const VertexRemovalParams& params) {
-  const auto [low, high] = std::minmax(params.max_error, params.distance_bound);
-  return low > 0.0 ? low : high;
-}
-
 /// The plan without a target. diagonal: of the bounding box, in the mesh's unit.
 inline RemovalPlan plan_without_target(const VertexRemovalParams& params, double diagonal) {
   RemovalPlan plan;
   plan.faces = {params.preserve_normal, params.normal_angle};
   plan.criterion = params.criterion;
-  plan.max_error = tighter_bound(params) / diagonal;
+  plan.max_sum = params.distance_bound / diagonal;
+  plan.max_error = params.max_error / diagonal;  // what stays does not move, nor is it rounded
+  plan.max_error_one_sided = params.max_error_one_sided;
   plan.aspect_ratio_min = params.aspect_ratio_min;
   plan.feature_angle = params.feature_angle;
   plan.preserve_features = params.preserve_features;
