@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <utility>
 
@@ -8,6 +9,7 @@
 #include "vcg_ext/host_mesh/read_carried.h"
 #include "vcg_ext/host_mesh/read_mesh.h"
 #include "vcg_ext/host_mesh/write_back.h"
+#include "vcg_ext/mesh/crossings.h"
 #include "vcg_ext/passes/collapse_in_passes.h"
 #include "vcg_ext/refine/refine.h"
 #include "vcg_ext/run/conclude.h"
@@ -41,6 +43,23 @@ Tally collapse(WorkingMesh& mesh, MetricType& metric, const CollapsePlan& plan, 
   return tally;
 }
 
+inline std::int64_t count_crossing_faces(const WorkingMesh& mesh, const Parallel& parallel) {
+  return static_cast<std::int64_t>(
+      faces_of(crossing_pairs(mesh, mesh.connectivity.face_slots(), parallel)).size());
+}
+
+/// Counts the faces that cross others, and where there are any, those of the input. input: the
+/// host's mesh, not written to yet.
+template <class MeshType>
+void report_crossings(const MeshType& input, const ReadingPlan& reading, const WorkingMesh& result,
+                      const Run<DecimationReport>& run) {
+  run.report.crossing = count_crossing_faces(result, run.parallel);
+  if (run.report.crossing > 0)
+    run.report.crossing_before =
+        count_crossing_faces(read_mesh(input, reading, run.parallel).mesh, run.parallel);
+  note_crossings(run.report);
+}
+
 /// The one way of every edge collapse: read, plan, collapse, refine, write. Nothing of the host's
 /// mesh changes before the last step. Params: what plan_collapse takes. with_metric(mesh, plan,
 /// use) calls use(metric) and returns what it returns. Throws InputError.
@@ -64,6 +83,7 @@ DecimationReport decimate_by_collapse(MeshType& mesh, const Params& params,
       return collapse(copy.mesh, metric, *plan, carried, run.parallel);
     });
     refine(copy.mesh, std::move(input), *plan, carried, run.parallel);
+    if (plan->limits.prevents_crossings) report_crossings(mesh, reading, copy.mesh, run);
     write_back(mesh, copy, carried, std::move(traced), run.parallel, run.report);
     conclude(tally, *plan, copy.mesh, copy.box.diagonal, run.report);
   });

@@ -66,6 +66,20 @@ ResultRows<R, P> topology_results() {
                                           &R::largest_removed))};
 }
 
+/// What the detector counts where faces may not cross.
+template <class R, class P>
+ResultRows<R, P> crossing_results() {
+  const auto is_asked = [](const R&, const P& params) { return params.prevent_intersections; };
+  const auto is_any_left = [](const R& report, const P&) { return report.crossing > 0; };
+  return {only_if(is_asked, result<R, P>("crossing", "faces",
+                                         "those of the result that cross or touch others beside "
+                                         "their neighbours; only with `PreventIntersections`",
+                                         &R::crossing)),
+          only_if(is_any_left, result<R, P>("crossing_before", "faces",
+                                            "those of the input; only where some are left",
+                                            &R::crossing_before))};
+}
+
 template <class R, class P>
 ResultRow<R, P> cost_last_result(const std::string& meaning) {
   return result<R, P>("cost_last", "for a mesh of diagonal 1", meaning, &R::cost_last);
@@ -85,6 +99,7 @@ inline const char* meaning_of(Rejection reason) {
              "become larger there";
     case Rejection::VertexClass: return "refused because the vertex is complex, or a corner";
     case Rejection::LoopSplit: return "refused because no line parts the loop around the vertex";
+    case Rejection::Crossing: return "refused because a face would have crossed another one";
   }
   return "";
 }
@@ -109,10 +124,12 @@ ResultRow<R, P> seconds_result() {
 template <class R, class P>
 ResultRows<R, P> collapse_results() {
   return joined<ResultRow<R, P>>(
-      {{cost_last_result<R, P>("the cost of the last collapse")},
+      {crossing_results<R, P>(),
+       {cost_last_result<R, P>("the cost of the last collapse")},
        rejection_results<R, P>(
            "collapses", {Rejection::LinkCondition, Rejection::NormalFlip, Rejection::TriangleShape,
-                         Rejection::ErrorBound, Rejection::HubAtRest, Rejection::TextureFlip}),
+                         Rejection::ErrorBound, Rejection::HubAtRest, Rejection::TextureFlip,
+                         Rejection::Crossing}),
        {seconds_result<R, P>()}});
 }
 

@@ -151,6 +151,18 @@ ParameterRow<P> keep_borders_of_row() {
 }
 
 template <class P>
+ParameterRow<P> prevent_intersections_row() {
+  return row<P>(
+      &P::prevent_intersections, "PreventIntersections", "Prevent intersections",
+      {"No face crosses or touches another that it did not before, so that parts with a narrow gap "
+       "between them, and shells inside each other, stay apart. Faces that cross already stay "
+       "about "
+       "as small as they are, and the result may have more faces than the target. The log says how "
+       "many cross.",
+       "Faces that do not cross will not; may stop above the target."});
+}
+
+template <class P>
 ParameterRow<P> keep_map_row() {
   return row<P>(
       &P::keep_map, "KeepMap", "Map to the original vertices",
@@ -180,7 +192,8 @@ ParameterRows<P> collapse_guard_rows() {
       preserve_topology_row<P>(),
       tuning(join_borders_row<P>()),
       paper(attribute_weight_row<P>()),
-      tuning(keep_borders_of_row<P>())};
+      tuning(keep_borders_of_row<P>()),
+      tuning(prevent_intersections_row<P>())};
 }
 
 template <class P>

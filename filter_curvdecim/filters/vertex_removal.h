@@ -105,7 +105,7 @@ struct VertexRemovalFilter {
         "Vertices go one by one, those nearest to the surface that is left first, and the holes "
         "are filled with triangles. Those that stay keep all that they carry, to the bit. A "
         "manifold stays one. Edge collapse moves vertices and has a lower error.",
-        {"preserve_topology", "attribute_weight"}};
+        {"preserve_topology", "attribute_weight", "prevent_intersections"}};
   }
 
   static ParameterRows<Params> parameters() {

@@ -75,8 +75,8 @@ class StrictSchedule {
     return true;
   }
 
-  /// The answer about an edge depends on what is up to three edges away. Pairs reach further, and
-  /// edges of a hub at rest were not asked about.
+  /// The answer about an edge depends on what is up to three edges away. Pairs and crossings reach
+  /// further, and edges of a hub at rest were not asked about.
   void find_changed(const Parallel& parallel) {
     constexpr int reach = 3;
     const int count = mesh_.connectivity.vertex_slots();
@@ -89,7 +89,8 @@ class StrictSchedule {
       });
     }
     parallel.for_each(count, [&](int v) {
-      if (collapses_.has_pairs() || rests_.near(v)) changed_[v] = 1;
+      if (collapses_.has_pairs() || collapses_.prevents_crossings() || rests_.near(v))
+        changed_[v] = 1;
     });
   }
 
@@ -214,6 +215,7 @@ class StrictSchedule {
     collapses_.make_room(++next_number_);
     const auto done = collapses_.collapse(candidate, error_bound, next_number_ - 1, scratch_);
     mesh_.connectivity.count(done.removed);
+    collapses_.update_around(done.keep);
     tally.pairs_contracted += scratch_.around.wings().empty();
     tally.count_step(candidate.cost, error_bound);
     queue_.remove(done.gone);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "vcg_ext/guard/collapse_rule.h"
+#include "vcg_ext/guard/crossing_guard.h"
 #include "vcg_ext/guard/error_bound.h"
 #include "vcg_ext/guard/face_guard.h"
 #include "vcg_ext/guard/fold.h"
@@ -25,7 +26,8 @@ struct GuardAnswer {
 };
 
 /// All that may refuse a collapse once its kinds allow it, or make it costlier: the cheap guards
-/// first.
+/// first. The one against crossings is asked by itself: it looks at faces elsewhere, which may
+/// change while others are asked about.
 class CollapseGuards {
  public:
   CollapseGuards(const WorkingMesh& mesh, const CollapseLimits& limits)
@@ -80,17 +82,30 @@ class CollapseGuards {
   /// The sum of moves may go up to the bound itself.
   void rely_on_sums() { bound_.set_limit(max_error_); }
 
+  /// From now on faces may not cross others.
+  void prevent_crossings(const Parallel& parallel) { crossing_guard_.emplace(mesh_, parallel); }
+
+  /// nullptr: faces may cross.
+  CrossingGuard* crossing_guard() { return crossing_guard_ ? &*crossing_guard_ : nullptr; }
+  const CrossingGuard* crossing_guard() const {
+    return crossing_guard_ ? &*crossing_guard_ : nullptr;
+  }
+
   /// What it costs that the topology gives way; nullptr: it does not.
   const ObstaclePrice* obstacle_price() const {
     return obstacle_price_ ? &*obstacle_price_ : nullptr;
   }
 
   /// To be told of every face that the topology gave way with.
-  void renew(int f) { face_guard_.renew(f); }
+  void renew(int f) {
+    face_guard_.renew(f);
+    if (crossing_guard_) crossing_guard_->update(f);
+  }
 
   void renumber(const Renumbering& numbers) {
     face_guard_.renumber(numbers);
     bound_.renumber(numbers);
+    if (crossing_guard_) crossing_guard_->rebuild();
   }
 
  private:
@@ -112,7 +127,8 @@ class CollapseGuards {
   std::optional<ObstaclePrice> obstacle_price_;  // where the topology gives way
   const double max_error_;
   ErrorBound bound_;
-  SurfaceBound* measured_ = nullptr;  // not yet
+  SurfaceBound* measured_ = nullptr;             // not yet
+  std::optional<CrossingGuard> crossing_guard_;  // where faces may not cross
 };
 
 }  // namespace curvdecim::detail

@@ -22,6 +22,7 @@ struct CollapseLimits {
   bool keeps_boundary = true;       ///< boundary vertices go along the boundary only
   bool topology_gives_way = false;  ///< by size: parts, holes and handles may go at a price
   double max_error = 0.0;           ///< two-sided distance to the input, in the box; 0: no bound
+  bool prevents_crossings = false;  ///< no face crosses another that it did not cross before
   double attribute_weight = 0.0;    ///< of what is carried, where it drifts, against the surface
 };
 

@@ -36,7 +36,7 @@ class SurfaceBound {
         open_(input_.size(), 0) {}
 
   /// There is a mesh to ask about.
-  bool has_begun() const { return has_begun_; }
+  bool has_begun() const { return at_start_.has_value(); }
 
   /// Whether samples of a surface and of the input are within a share of the limit of the other.
   /// Surface: triangle(f).
@@ -55,18 +55,25 @@ class SurfaceBound {
            all_sampled(faces, parallel, to_input);
   }
 
-  /// Begins with a surface: its faces have these numbers from now on. Returns its distance; nullopt
-  /// if that is above the limit, or cannot be told. Surface: triangle(f).
+  /// Begins with a surface: its faces have these numbers from now on. False if its distance is
+  /// above the limit, or cannot be told; then it has not begun. Surface: triangle(f).
   template <class Surface>
-  std::optional<double> begin(const Surface& surface, int faces, const Parallel& parallel) {
+  bool begin(const Surface& surface, int faces, const Parallel& parallel) {
+    stop();
     reliance_.reset(input_.size(), faces), changed_.assign(faces, 0);
     const double from_input = begin_from_input(surface, faces, parallel);
-    if (from_input > limit_) return std::nullopt;
+    if (from_input > limit_) return false;
     const double to_input = begin_to_input(surface, faces, parallel);
-    if (to_input > limit_) return std::nullopt;
-    has_begun_ = true;
-    return std::max(from_input, to_input);
+    if (to_input > limit_) return false;
+    at_start_ = std::max(from_input, to_input);
+    return true;
   }
+
+  /// There is no mesh to ask about any more.
+  void stop() { at_start_.reset(); }
+
+  /// The distance that it has begun with; 0 if it has not.
+  double at_start() const { return at_start_.value_or(0.0); }
 
   /// The largest distance of what changes, were the edge collapsed to x; infinite where it is above
   /// the limit, or cannot be told.
@@ -228,7 +235,7 @@ class SurfaceBound {
   DistanceToInput to_input_;
   Cover cover_;
   Reliance reliance_;
-  bool has_begun_ = false;
+  std::optional<double> at_start_;
   // The question:
   int question_ = 0;
   std::vector<int> changed_;  // by face: the last question that it changed in

@@ -8,8 +8,10 @@
 #include <vector>
 
 #include "vcg_ext/attributes/carried.h"
+#include "vcg_ext/guard/crossing_guard.h"
 #include "vcg_ext/mesh/working_mesh.h"
 #include "vcg_ext/parallel/parallel.h"
+#include "vcg_ext/refine/crossing_moves.h"
 #include "vcg_ext/refine/curve_samples.h"
 #include "vcg_ext/refine/edge_flips.h"
 #include "vcg_ext/refine/input_samples.h"
@@ -32,6 +34,7 @@ namespace curvdecim::detail {
 ///     flip the edges that lower the error                                  (edge_flips.h)
 ///     steps of all vertices that fit the samples best                      (vertex_fit.h)
 ///     shorten the steps that would spoil or fold a face, or lead astray    (move_guard.h)
+///     take back those that would make faces cross, where none may          (crossing_moves.h)
 ///
 /// Locked vertices and those of non-manifold curves stay; those of borders and of seams move with
 /// these.
@@ -56,7 +59,9 @@ class Refinement {
                   limits_, parallel),
         guard_(mesh, input, input_tree_, plan.limits.faces),
         drift_(mesh, input, plan.limits.attribute_weight),
-        near_(face_count(), SurfacePoint::none) {}
+        near_(face_count(), SurfacePoint::none) {
+    if (plan.limits.prevents_crossings) crossing_guard_.emplace(mesh, parallel);
+  }
 
   /// Throws CancelRequest.
   void run(int sweeps) {
@@ -106,7 +111,7 @@ class Refinement {
     ProgressMeter& progress = parallel_.progress();
     progress.along(0.0, third, [&] { match_surface(limits), match_curves(); });
     progress.along(third, 2.0 * third, [&] {
-      EdgeFlips(mesh_, of_input_, of_mesh_, guard_, drift_).run(near_, parallel_);
+      EdgeFlips(mesh_, of_input_, of_mesh_, guard_, drift_, crossing_guard()).run(near_, parallel_);
     });
     progress.along(2.0 * third, 1.0, [&] { fit(fixed); });
   }
@@ -142,11 +147,16 @@ class Refinement {
     std::vector<Vector3> steps =
         VertexFit(mesh_, parallel_).steps(of_input_, of_mesh_, {&of_border_, &of_seams_}, fixed);
     std::vector<Vector3> now = guard_.moved(std::move(steps), near_, farthest(), parallel_);
+    if (crossing_guard()) take_back_crossings(mesh_, now, parallel_);
     if (mesh_.wedges.exist()) WedgeMoves(mesh_, parallel_).follow(now, wedge_steps_);
     mesh_.position.swap(now);
     mesh_.update_planes(parallel_);
     mesh_tree_.refit(parallel_);
+    if (crossing_guard()) crossing_guard()->rebuild();
   }
+
+  /// nullptr: faces may cross.
+  CrossingGuard* crossing_guard() { return crossing_guard_ ? &*crossing_guard_ : nullptr; }
 
   /// Where vertices moved, inside charts.
   void fit_texture() {
@@ -204,6 +214,7 @@ class Refinement {
   CurveSamples of_border_, of_seams_;
   MoveGuard guard_;
   TextureDrift drift_;
+  std::optional<CrossingGuard> crossing_guard_;  // where faces may not cross
   std::vector<BlendStep> wedge_steps_;
   std::vector<int> near_;  // by face of the mesh: a face of the input near it
 };

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Finds the faces of a surface that cross each other.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "vcg_ext/geometry/triangles_cross.h"
+#include "vcg_ext/mesh/face_boxes.h"
+
+namespace curvdecim::detail {
+
+using FacePair = std::array<int, 2>;  ///< the lower number first
+
+/// Whether faces f and g, with these corners, cross: asked in one order, since where they touch the
+/// order may decide.
+inline bool faces_cross(int f, const Triangle& of_f, int g, const Triangle& of_g) {
+  const bool cross = f < g ? triangles_cross(of_f, of_g) : triangles_cross(of_g, of_f);
+  return cross && box_around(of_f).meets(box_around(of_g));
+}
+
+/// A face with its corners and the box around them.
+struct PlacedFace {
+  int face;
+  Triangle triangle;
+  Box box;
+
+  PlacedFace(int its_face, const Triangle& its_triangle)
+      : face(its_face), triangle(its_triangle), box(box_around(its_triangle)) {}
+
+  bool crosses(const PlacedFace& o) const {
+    return box.meets(o.box) && faces_cross(face, triangle, o.face, o.triangle);
+  }
+};
+
+/// To find what crosses a face: most of what lies near it is not even looked at.
+template <class Surface>
+using SingleBoxes = FaceBoxes<Surface, 1>;
+
+/// All pairs of faces that cross, in ascending order.
+template <class Surface>
+std::vector<FacePair> crossing_pairs(const SingleBoxes<Surface>& boxes, const Parallel& parallel) {
+  constexpr int shares = 4096;  // of the work, about
+  const auto nodes = boxes.tree().meeting_pairs(shares);
+  std::vector<std::vector<FacePair>> of_worker(parallel.threads());
+  const auto test = [&](int leaf, int other, std::vector<FacePair>& pairs) {
+    const auto [f, g] = std::minmax(*boxes.faces_of(leaf).begin(), *boxes.faces_of(other).begin());
+    if (faces_cross(f, boxes.surface().triangle(f), g, boxes.surface().triangle(g)))
+      pairs.push_back({f, g});
+  };
+  const auto do_range = [&](int begin, int end, int worker) {
+    for (int i = begin; i < end; ++i)
+      boxes.tree().for_each_meeting(
+          nodes[i], [&](int leaf, int other) { test(leaf, other, of_worker[worker]); });
+  };
+  parallel.for_ranges(static_cast<int>(nodes.size()), do_range, Parallel::heavy);
+  std::vector<FacePair> all;
+  for (const std::vector<FacePair>& pairs : of_worker)
+    all.insert(all.end(), pairs.begin(), pairs.end());
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+/// The same of a surface with `faces` faces, of which there may be none.
+template <class Surface>
+std::vector<FacePair> crossing_pairs(const Surface& surface, int faces, const Parallel& parallel) {
+  if (faces == 0) return {};
+  return crossing_pairs(SingleBoxes<Surface>(surface, faces, parallel), parallel);
+}
+
+/// The faces of these pairs, ascending.
+inline std::vector<int> faces_of(const std::vector<FacePair>& pairs) {
+  std::vector<int> faces;
+  for (const auto& [f, g] : pairs) faces.push_back(f), faces.push_back(g);
+  std::sort(faces.begin(), faces.end());
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  return faces;
+}
+
+}  // namespace curvdecim::detail

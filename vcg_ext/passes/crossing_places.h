@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where passes have made faces cross.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "vcg_ext/geometry/box_tree.h"
+#include "vcg_ext/mesh/crossings.h"
+#include "vcg_ext/parallel/parallel.h"
+#include "vcg_ext/passes/pass_surface.h"
+
+namespace curvdecim::detail {
+
+/// Boxes around the pairs of faces that cross now, and did not before the passes: of those one has
+/// changed, which is one with a corner that is not held.
+inline std::vector<Box> crossing_places(const PassSurface& surface, const Parallel& parallel) {
+  const auto is_held = [&](int f) {
+    const Face& face = surface.faces[f];
+    return std::all_of(face.begin(), face.end(), [&](int v) { return surface.held[v] != 0; });
+  };
+  std::vector<Box> places;
+  for (const auto& [f, g] : crossing_pairs(surface, surface.face_count(), parallel)) {
+    if (is_held(f) && is_held(g)) continue;
+    places.push_back(box_around(surface.triangle(f)));
+    places.back().add(box_around(surface.triangle(g)));
+  }
+  return places;
+}
+
+/// Holds what the surface has in these places, and somewhat around them. places: at least one.
+inline void hold_in(const std::vector<Box>& places, PassSurface& surface,
+                    const Parallel& parallel) {
+  constexpr double margin = 0.5;  // of a box: as much as the next faces may reach
+  BoxTree tree(static_cast<int>(places.size()));
+  tree.fit([&](int count, auto work) { parallel.for_each(count, work); },
+           [&](int i) {
+             const Vector3 around = margin * (places[i].high - places[i].low);
+             return Box{places[i].low - around, places[i].high + around};
+           });
+  parallel.for_each(surface.vertex_count(), [&](int v) {
+    const Box here{surface.position[v], surface.position[v]};
+    if (tree.any_meeting(here, [](int) { return true; })) surface.held[v] = 1;
+  });
+}
+
+}  // namespace curvdecim::detail
