@@ -43,20 +43,10 @@ Tally collapse(WorkingMesh& mesh, MetricType& metric, const CollapsePlan& plan, 
   return tally;
 }
 
-inline std::int64_t count_crossing_faces(const WorkingMesh& mesh, const Parallel& parallel) {
-  return static_cast<std::int64_t>(
-      faces_of(crossing_pairs(mesh, mesh.connectivity.face_slots(), parallel)).size());
-}
-
-/// Counts the faces that cross others, and where there are any, those of the input. input: the
-/// host's mesh, not written to yet.
-template <class MeshType>
-void report_crossings(const MeshType& input, const ReadingPlan& reading, const WorkingMesh& result,
-                      const Run<DecimationReport>& run) {
-  run.report.crossing = count_crossing_faces(result, run.parallel);
-  if (run.report.crossing > 0)
-    run.report.crossing_before =
-        count_crossing_faces(read_mesh(input, reading, run.parallel).mesh, run.parallel);
+/// Counts the faces that cross others.
+inline void report_crossings(const WorkingMesh& result, const Run<DecimationReport>& run) {
+  const auto pairs = crossing_pairs(result, result.connectivity.face_slots(), run.parallel);
+  run.report.crossing = static_cast<std::int64_t>(faces_of(pairs).size());
   note_crossings(run.report);
 }
 
@@ -83,7 +73,7 @@ DecimationReport decimate_by_collapse(MeshType& mesh, const Params& params,
       return collapse(copy.mesh, metric, *plan, carried, run.parallel);
     });
     refine(copy.mesh, std::move(input), *plan, carried, run.parallel);
-    if (plan->limits.prevents_crossings) report_crossings(mesh, reading, copy.mesh, run);
+    if (plan->limits.prevents_crossings) report_crossings(copy.mesh, run);
     write_back(mesh, copy, carried, std::move(traced), run.parallel, run.report);
     conclude(tally, *plan, copy.mesh, copy.box.diagonal, run.report);
   });

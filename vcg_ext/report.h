@@ -67,9 +67,9 @@ struct DecimationReport {
   std::int64_t handles_cut = 0;       ///< handles, tunnels and necks
   std::int64_t junctions_parted = 0;  ///< vertices where sheets met that came apart
   double largest_removed = 0.0;       ///< diameter of the largest of these when it went
-  /// Faces that cross or touch others beside their neighbours, with prevent_intersections.
+  /// Faces that cross or touch others beside their neighbours, as they did in the input; with
+  /// prevent_intersections.
   std::int64_t crossing = 0;
-  std::int64_t crossing_before = 0;  ///< those of the input, counted where some are left
   double seconds = 0.0;
   std::vector<std::string> notes;  ///< repairs, warnings and the reason of the stop, for the log
 };

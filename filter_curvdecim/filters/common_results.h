@@ -68,16 +68,13 @@ ResultRows<R, P> topology_results() {
 
 /// What the detector counts where faces may not cross.
 template <class R, class P>
-ResultRows<R, P> crossing_results() {
+ResultRow<R, P> crossing_result() {
   const auto is_asked = [](const R&, const P& params) { return params.prevent_intersections; };
-  const auto is_any_left = [](const R& report, const P&) { return report.crossing > 0; };
-  return {only_if(is_asked, result<R, P>("crossing", "faces",
-                                         "those of the result that cross or touch others beside "
-                                         "their neighbours; only with `PreventIntersections`",
-                                         &R::crossing)),
-          only_if(is_any_left, result<R, P>("crossing_before", "faces",
-                                            "those of the input; only where some are left",
-                                            &R::crossing_before))};
+  return only_if(is_asked, result<R, P>("crossing", "faces",
+                                        "those of the result that cross or touch others beside "
+                                        "their neighbours, as they did in the input; only with "
+                                        "`PreventIntersections`",
+                                        &R::crossing));
 }
 
 template <class R, class P>
@@ -124,8 +121,7 @@ ResultRow<R, P> seconds_result() {
 template <class R, class P>
 ResultRows<R, P> collapse_results() {
   return joined<ResultRow<R, P>>(
-      {crossing_results<R, P>(),
-       {cost_last_result<R, P>("the cost of the last collapse")},
+      {{crossing_result<R, P>(), cost_last_result<R, P>("the cost of the last collapse")},
        rejection_results<R, P>(
            "collapses", {Rejection::LinkCondition, Rejection::NormalFlip, Rejection::TriangleShape,
                          Rejection::ErrorBound, Rejection::HubAtRest, Rejection::TextureFlip,

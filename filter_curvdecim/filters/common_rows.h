@@ -193,7 +193,7 @@ ParameterRows<P> collapse_guard_rows() {
       tuning(join_borders_row<P>()),
       paper(attribute_weight_row<P>()),
       tuning(keep_borders_of_row<P>()),
-      tuning(prevent_intersections_row<P>())};
+      paper(prevent_intersections_row<P>())};
 }
 
 template <class P>

@@ -71,10 +71,6 @@ TEST(ResultTable, EdgeCollapseTellsWhatCrossesWhereAsked) {
   params.prevent_intersections = true;
   EXPECT_EQ(names_after<EdgeCollapseFilter>({}, params),
             counts + topology + Names{"crossing"} + collapse_end);
-  DecimationReport report;
-  report.crossing = 2;
-  EXPECT_EQ(names_after<EdgeCollapseFilter>(report, params),
-            counts + topology + Names{"crossing", "crossing_before"} + collapse_end);
 }
 
 TEST(ResultTable, AlgebraicSphereTellsItsBoundWhereAsked) {

@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
 #include <set>
-#include <string>
+#include <utility>
 #include <vector>
 
 #include "support/decimation.h"
@@ -50,6 +53,12 @@ std::set<std::array<int, 2>> crossing(const Shape& shape) {
   return pairs;
 }
 
+std::int64_t count_of_faces(const std::set<std::array<int, 2>>& pairs) {
+  std::set<int> faces;
+  for (const auto& [f, g] : pairs) faces.insert(f), faces.insert(g);
+  return static_cast<std::int64_t>(faces.size());
+}
+
 EdgeCollapseParams apart(int faces, Preset preset) {
   EdgeCollapseParams params = to_faces(faces);
   params.preset = preset;
@@ -75,7 +84,7 @@ TEST(PreventIntersections, KeepsShellsApartThatCrossWithoutIt) {
 }
 
 TEST(PreventIntersections, KeepsPlatesApart) {
-  const Shape plates = bent_plates(0.02);
+  const Shape plates = bent_plates(0.05);
   ASSERT_TRUE(crossing(plates).empty());
   for (Preset preset : presets) {
     EdgeCollapseParams params = apart(plates.face_count() / 20, preset);
@@ -169,11 +178,12 @@ class CrossingMeshes : public testing::TestWithParam<NamedShape> {};
 /// Where the topology gives way, too.
 TEST_P(CrossingMeshes, HaveNoMoreCrossingFaces) {
   const Shape& shape = GetParam().shape;
+  const std::int64_t crossing_before = count_of_faces(crossing(shape));
   for (int part : {3, 10, 1000})
     for (Preset preset : {Preset::Balanced, Preset::Best}) {
       const DecimationReport report =
           decimated(shape, apart(shape.face_count() / part, preset)).report;
-      EXPECT_LE(report.crossing, report.crossing_before);
+      EXPECT_LE(report.crossing, crossing_before);
     }
 }
 

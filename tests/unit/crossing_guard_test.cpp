@@ -26,13 +26,26 @@ constexpr int middle = 12;  // of the lower sheet
 constexpr int beside = 13;
 constexpr int of_sheet = 25;  // vertices
 
+/// Whether the edge in the middle of a sheet, from this vertex on, may collapse to so far from
+/// where it is; the same whether it is known to be a disk or not.
+bool may_go(const WorkingMesh& mesh, const CrossingGuard& guard, int from, const Vector3& step,
+            CrossingGuard::Star& star) {
+  EdgeNeighborhood around;
+  around.gather(mesh.connectivity, {from, from + (beside - middle)});
+  const Vector3 x = mesh.position[from] + step;
+  std::vector<FacePlane> after;
+  for (int f : around.star())
+    after.push_back(face_plane(triangle_after(mesh, f, around.edge(), x)));
+  const bool allows = guard.allows(around, x, after, false, star);
+  EXPECT_EQ(guard.allows(around, x, after, true, star), allows);
+  return allows;
+}
+
 /// Whether the edge in the middle of a sheet, from this vertex on, may collapse to so much above
 /// where it is.
 bool may_rise(const WorkingMesh& mesh, const CrossingGuard& guard, int from, double height,
               CrossingGuard::Star& star) {
-  EdgeNeighborhood around;
-  around.gather(mesh.connectivity, {from, from + (beside - middle)});
-  return guard.allows(around, mesh.position[from] + height * Vector3::UnitZ(), star);
+  return may_go(mesh, guard, from, height * Vector3::UnitZ(), star);
 }
 
 TEST(CrossingGuard, RefusesAStarThatReachesAnotherSheet) {
@@ -66,20 +79,18 @@ TEST(CrossingGuard, LetsGoOnCrossingWhatCrosses) {
   const int f = *mesh.connectivity.faces_of(middle).begin();
   Triangle higher = mesh.triangle(f);
   higher[mesh.connectivity.corner(f, middle)].z() += 0.001 * gap;
-  EXPECT_TRUE(guard.allows({{{f, mesh.triangle(f)}, {f, higher}}}));
+  EXPECT_TRUE(guard.allows({PlacedFace(f, higher)}));
   Triangle wider = higher;  // and meets others, too
   wider[mesh.connectivity.corner(f, middle)].x() -= 0.1;
-  EXPECT_FALSE(guard.allows({{{f, mesh.triangle(f)}, {f, wider}}}));
+  EXPECT_FALSE(guard.allows({PlacedFace(f, wider)}));
 }
 
 TEST(CrossingGuard, RefusesAStarThatFoldsOntoItself) {
   const WorkingMesh mesh = working_mesh(scaled(plane_grid(4), 0.4));
   const CrossingGuard guard(mesh, one_thread);
-  EdgeNeighborhood around;
-  around.gather(mesh.connectivity, {middle, beside});
   CrossingGuard::Star star;
-  EXPECT_TRUE(guard.allows(around, mesh.position[middle] + Vector3(0.03, 0.0, 0.0), star));
-  EXPECT_FALSE(guard.allows(around, mesh.position[middle] + Vector3(0.0, 0.25, 0.0), star));
+  EXPECT_TRUE(may_go(mesh, guard, middle, Vector3(0.03, 0.0, 0.0), star));
+  EXPECT_FALSE(may_go(mesh, guard, middle, Vector3(0.0, 0.25, 0.0), star));
 }
 
 TEST(CrossingGuard, RefusesAFaceThroughOthers) {
@@ -104,9 +115,9 @@ TEST(RoundCrossings, KeepTheFirstOfTwoThatMeetHalfWay) {
   crossings.keep(2, star);
   for (int threads : {1, 3}) {
     const Parallel parallel(threads);
-    EXPECT_EQ(crossings.to_drop({1, 2}, parallel), std::vector<int>{2});
-    EXPECT_EQ(crossings.to_drop({2, 4}, parallel), std::vector<int>{4});
-    EXPECT_EQ(crossings.to_drop({2}, parallel), std::vector<int>{});
+    EXPECT_EQ(crossings.to_drop({1, 2}, guard, parallel), std::vector<int>{2});
+    EXPECT_EQ(crossings.to_drop({2, 4}, guard, parallel), std::vector<int>{4});
+    EXPECT_EQ(crossings.to_drop({2}, guard, parallel), std::vector<int>{});
   }
 }
 

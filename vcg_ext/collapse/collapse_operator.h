@@ -69,7 +69,8 @@ class CollapseOperator {
   /// From now on every collapse is to be told of by update_around().
   void prevent_crossings(const Parallel& parallel) { guards_.prevent_crossings(parallel); }
 
-  bool prevents_crossings() const { return guards_.crossing_guard() != nullptr; }
+  /// nullptr: faces may cross.
+  const CrossingGuard* crossing_guard() const { return guards_.crossing_guard(); }
 
   /// Where faces may not cross: v has other faces now. Not while questions are asked.
   void update_around(int v) {
@@ -148,11 +149,10 @@ class CollapseOperator {
   /// The guards' answer, were the edge collapsed so. Leaves its neighbourhood in the scratch.
   GuardAnswer ask(Edge edge, const Candidate& candidate, Scratch& scratch) const {
     const GuardAnswer answer = ask_around(edge, candidate, scratch);
-    const CrossingGuard* guard = guards_.crossing_guard();
-    if (guard && !answer.refusal && !answer.obstacle.exists() &&
-        !guard->allows(scratch.around, candidate.position, scratch.crossing))
-      return {Rejection::Crossing};
-    return answer;
+    if (answer.refusal || answer.obstacle.exists() ||
+        guards_.keeps_apart(scratch.around, candidate.position, scratch.after, scratch.crossing))
+      return answer;
+    return {Rejection::Crossing};
   }
 
   /// The same without a look at what lies beyond the neighbourhood.

@@ -22,8 +22,9 @@ class RoundCrossings {
   void keep(int i, const CrossingGuard::Star& star) { stars_[i] = star; }
 
   /// Of these picks, ascending, those that are in conflict with one before them that is done.
-  std::vector<int> to_drop(const std::vector<int>& picks, const Parallel& parallel) const {
-    const std::vector<std::vector<int>> earlier = conflicts(picks, parallel);
+  std::vector<int> to_drop(const std::vector<int>& picks, const CrossingGuard& guard,
+                           const Parallel& parallel) const {
+    const std::vector<std::vector<int>> earlier = conflicts(picks, guard, parallel);
     std::vector<int> dropped;
     const auto is_done = [&](int i) {
       return !std::binary_search(dropped.begin(), dropped.end(), picks[i]);
@@ -35,7 +36,7 @@ class RoundCrossings {
 
  private:
   /// By place among the picks: the places before it that are in conflict with it.
-  std::vector<std::vector<int>> conflicts(const std::vector<int>& picks,
+  std::vector<std::vector<int>> conflicts(const std::vector<int>& picks, const CrossingGuard& guard,
                                           const Parallel& parallel) const {
     const int count = static_cast<int>(picks.size());
     std::vector<std::vector<int>> earlier(count);
@@ -47,7 +48,7 @@ class RoundCrossings {
              [&](int i) { return box[i]; });
     const auto look = [&](int i) {
       tree.any_meeting(box[i], [&](int k) {
-        if (k < i && CrossingGuard::are_in_conflict(stars_[picks[i]], stars_[picks[k]]))
+        if (k < i && guard.are_in_conflict(stars_[picks[i]], stars_[picks[k]]))
           earlier[i].push_back(k);
         return false;
       });

@@ -159,14 +159,14 @@ class RoundSchedule {
 
   void collapse_picks(Tally& tally) {
     collapses_.make_room(next_number_ + static_cast<int>(picks_.size()));
-    if (const bool prevents = collapses_.prevents_crossings(); prevents || may_reach_target()) {
-      if (prevents) crossings_.begin(static_cast<int>(picks_.size()));
+    if (const CrossingGuard* guard = collapses_.crossing_guard(); guard || may_reach_target()) {
+      if (guard) crossings_.begin(static_cast<int>(picks_.size()));
       for_picks([&](int i, Scratch& scratch) {
         check(picks_[i], scratch);
-        if (prevents && picks_[i].ready) crossings_.keep(i, scratch.crossing);
+        if (guard && picks_[i].ready) crossings_.keep(i, scratch.crossing);
       });
       drop_needless();
-      if (prevents) drop_crossing();
+      if (guard) drop_crossing(*guard);
       for_picks([&](int i, Scratch& scratch) {
         if (picks_[i].ready)
           collapses_.ask_around(picks_[i].edge, picks_[i].candidate, scratch);  // for the scratch
@@ -228,11 +228,11 @@ class RoundSchedule {
   }
 
   /// Drops picks that were asked about as the surface was, and may not be done with the others.
-  void drop_crossing() {
+  void drop_crossing(const CrossingGuard& guard) {
     std::vector<int> ready;
     for (std::size_t i = 0; i < picks_.size(); ++i)
       if (picks_[i].ready) ready.push_back(static_cast<int>(i));
-    for (int i : crossings_.to_drop(ready, parallel_)) {
+    for (int i : crossings_.to_drop(ready, guard, parallel_)) {
       picks_[i].ready = false;
       picks_[i].answer = {Rejection::Crossing};
     }

@@ -89,8 +89,7 @@ class StrictSchedule {
       });
     }
     parallel.for_each(count, [&](int v) {
-      if (collapses_.has_pairs() || collapses_.prevents_crossings() || rests_.near(v))
-        changed_[v] = 1;
+      if (collapses_.has_pairs() || collapses_.crossing_guard() || rests_.near(v)) changed_[v] = 1;
     });
   }
 

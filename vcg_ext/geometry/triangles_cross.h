@@ -42,9 +42,19 @@ inline Sides sides_of(const CornerRefs& s, const CornerRefs& t, int shared) {
   return {shared > 0 ? 0 : plane.side(*t[0]), plane.side(*t[1]), plane.side(*t[2])};
 }
 
-/// True if all corners that are not shared are on one side.
-inline bool is_beside(const Sides& side, int shared) {
-  return side[1] != 0 && side[1] == side[2] && (shared > 0 || side[0] == side[1]);
+/// True if t clearly has nothing in the plane of s but corners that both share: so it is nearly
+/// always, and no more has to be looked at.
+inline bool only_shares_corners(const Triangle& s, const Triangle& t) {
+  const OrientedPlane plane(s[0], s[1], s[2]);
+  bool has_front = false, has_back = false;
+  for (const Vector3& p : t) {
+    const int side = plane.side(p);
+    has_front = has_front || side > 0, has_back = has_back || side < 0;
+    if (side == 0 && !are_in_one_place(p, s[0]) && !are_in_one_place(p, s[1]) &&
+        !are_in_one_place(p, s[2]))
+      return false;
+  }
+  return has_front != has_back;
 }
 
 /// True if the segment from p to q meets the triangle. side_p, side_q: of its plane, not both 0.
@@ -123,15 +133,13 @@ inline bool overlap_in_plane(const TrianglePair& pair) {
 /// edge cross where one lies on the other, triangles with the same corners always do. To touch is
 /// to cross, and so is what rounding cannot tell from it.
 inline bool triangles_cross(const Triangle& first, const Triangle& second) {
+  if (only_shares_corners(first, second) || only_shares_corners(second, first)) return false;
   const TrianglePair pair(first, second);
   const auto& [s, t, shared] = pair;
   if (shared == 3) return true;
   if (shared == 2)
     return OrientedPlane(*s[0], *s[1], *s[2]).side(*t[2]) == 0 && overlap_in_plane(pair);
-  const Sides of_t = sides_of(s, t, shared);
-  if (is_beside(of_t, shared)) return false;
-  const Sides of_s = sides_of(t, s, shared);
-  if (is_beside(of_s, shared)) return false;
+  const Sides of_t = sides_of(s, t, shared), of_s = sides_of(t, s, shared);
   const bool is_s_flat = of_s == Sides{}, is_t_flat = of_t == Sides{};
   if ((is_s_flat || is_t_flat) && !overlap_in_plane(pair)) return false;
   if (is_s_flat && is_t_flat) return true;

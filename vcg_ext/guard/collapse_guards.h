@@ -85,6 +85,18 @@ class CollapseGuards {
   /// From now on faces may not cross others.
   void prevent_crossings(const Parallel& parallel) { crossing_guard_.emplace(mesh_, parallel); }
 
+  /// False if faces would cross that may not, were the edge collapsed as it was asked about; star:
+  /// what changes then.
+  bool keeps_apart(const EdgeNeighborhood& around, const Vector3& x,
+                   const std::vector<FacePlane>& after, CrossingGuard::Star& star) const {
+    if (!crossing_guard_) return true;
+    const auto [a, b] = around.edge();
+    const bool is_disk = link_condition_ && around.wings().size() == 2 &&
+                         mesh_.kind[a] == VertexKind::Interior &&
+                         mesh_.kind[b] == VertexKind::Interior;
+    return crossing_guard_->allows(around, x, after, is_disk, star);
+  }
+
   /// nullptr: faces may cross.
   CrossingGuard* crossing_guard() { return crossing_guard_ ? &*crossing_guard_ : nullptr; }
   const CrossingGuard* crossing_guard() const {

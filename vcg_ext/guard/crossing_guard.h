@@ -18,63 +18,59 @@ namespace curvdecim::detail {
 /// at the same time.
 class CrossingGuard {
  public:
-  /// A face before a change, and after it.
-  struct Changed {
-    PlacedFace was, now;
-
-    bool is_same() const { return was.triangle == now.triangle; }
-
-    /// True if it crosses the other afterwards, and did not before.
-    bool newly_crosses(const Changed& o) const { return now.crosses(o.now) && !was.crosses(o.was); }
-    bool newly_crosses(const PlacedFace& o) const { return now.crosses(o) && !was.crosses(o); }
-  };
-
-  /// What a collapse changes; reused from edge to edge.
-  using Star = std::vector<Changed>;
+  /// What a change makes of the faces that are others afterwards; reused from edge to edge.
+  using Star = std::vector<PlacedFace>;
 
   CrossingGuard(const WorkingMesh& mesh, const Parallel& parallel)
       : mesh_(mesh), parallel_(parallel) {
     rebuild();
   }
 
-  /// May the edge collapse to x? `star` gets its faces.
-  bool allows(const EdgeNeighborhood& around, const Vector3& x, Star& star) const {
-    star.clear();
-    for (int f : around.star())
-      star.push_back({{f, mesh_.triangle(f)}, {f, triangle_after(mesh_, f, around.edge(), x)}});
+  /// May the edge collapse to x? after: the planes that its star would have. is_disk: the star
+  /// would be a disk. `star` gets what changes.
+  bool allows(const EdgeNeighborhood& around, const Vector3& x, const std::vector<FacePlane>& after,
+              bool is_disk, Star& star) const {
     const auto [a, b] = around.edge();
-    return !cross_each_other(star) && !crosses_any(star, [&, a = a, b = b](int f) {
+    star.clear();
+    for (std::size_t i = 0; i < around.star().size(); ++i)
+      if (mesh_.position[i < around.star_of_a() ? a : b] != x)
+        star.emplace_back(around.star()[i], triangle_after(mesh_, around.star()[i], {a, b}, x));
+    const auto changes = [&, a = a, b = b](int f) {
       return mesh_.connectivity.face_has(f, a) || mesh_.connectivity.face_has(f, b);
-    });
+    };
+    if (crosses_any(star, changes)) return false;
+    if (is_disk && is_seen_as_disk(around, x, after)) return true;
+    return !cross_each_other(star) && !crosses_rest(around, x, star);
   }
 
   /// May face f, which is none now, be added with these corners?
   bool allows_face(int f, const Triangle& triangle) const {
     const PlacedFace now(f, triangle);
-    return !any_near(now.box, [&](const PlacedFace& other) { return now.crosses(other); });
+    const auto is_left_out = [](int) { return false; };
+    return !any_near(now.box, is_left_out,
+                     [&](const PlacedFace& other) { return now.crosses(other); });
   }
 
   /// May these faces change so, others staying as they are?
   bool allows(const Star& changed) const {
     return !cross_each_other(changed) && !crosses_any(changed, [&](int f) {
       return std::any_of(changed.begin(), changed.end(),
-                         [f](const Changed& c) { return c.now.face == f; });
+                         [f](const PlacedFace& c) { return c.face == f; });
     });
   }
 
   /// True if two changes that are allowed each by itself may not be made both.
-  static bool are_in_conflict(const Star& a, const Star& b) {
-    for (const Changed& of_a : a)
-      for (const Changed& of_b : b)
-        if (!of_a.is_same() && !of_b.is_same() && of_a.newly_crosses(of_b)) return true;
+  bool are_in_conflict(const Star& a, const Star& b) const {
+    for (const PlacedFace& of_a : a)
+      for (const PlacedFace& of_b : b)
+        if (newly_cross(of_a, of_b)) return true;
     return false;
   }
 
   /// The box around what changes.
   static Box box_of(const Star& star) {
     Box box;
-    for (const Changed& changed : star)
-      if (!changed.is_same()) box.add(changed.now.box);
+    for (const PlacedFace& face : star) box.add(face.box);
     return box;
   }
 
@@ -99,31 +95,71 @@ class CrossingGuard {
   }
 
  private:
-  static bool cross_each_other(const Star& star) {
+  /// The cosine from which a face is clearly seen from the front.
+  static constexpr double clearly = 0.1;
+
+  /// Whether the faces cross so, and not as they are now.
+  bool newly_cross(const PlacedFace& f, const PlacedFace& g) const {
+    return f.crosses(g) &&
+           !faces_cross(f.face, mesh_.triangle(f.face), g.face, mesh_.triangle(g.face));
+  }
+
+  bool cross_each_other(const Star& star) const {
     for (std::size_t i = 0; i < star.size(); ++i)
       for (std::size_t k = 0; k < i; ++k)
-        if (!(star[i].is_same() && star[k].is_same()) && star[i].newly_crosses(star[k]))
-          return true;
+        if (newly_cross(star[i], star[k])) return true;
     return false;
   }
 
-  /// is_among(f): the face changes, too, or goes.
-  template <class IsAmong>
-  bool crosses_any(const Star& changed, IsAmong is_among) const {
-    return any_near(box_of(changed), [&](const PlacedFace& other) {
-      if (is_among(other.face)) return false;
+  /// True if what changes crosses faces of the edge's star that stay as they are.
+  bool crosses_rest(const EdgeNeighborhood& around, const Vector3& x, const Star& star) const {
+    const auto [a, b] = around.edge();
+    for (std::size_t i = 0; i < around.star().size(); ++i) {
+      if (mesh_.position[i < around.star_of_a() ? a : b] != x) continue;
+      const PlacedFace rest(around.star()[i], mesh_.triangle(around.star()[i]));
+      for (const PlacedFace& face : star)
+        if (newly_cross(face, rest)) return true;
+    }
+    return false;
+  }
+
+  /// True if, from somewhere, the whole star is clearly seen from the front, and goes round the
+  /// vertex once: then no two of its faces cross. The ring is a closed path, since it is a disk.
+  bool is_seen_as_disk(const EdgeNeighborhood& around, const Vector3& x,
+                       const std::vector<FacePlane>& after) const {
+    Vector3 up = Vector3::Zero();
+    for (const FacePlane& plane : after) up += plane.area_vector();
+    up.normalize();
+    for (const FacePlane& plane : after)
+      if (!(plane.normal.dot(up) > clearly)) return false;
+    const Vector3 along = up.unitOrthogonal();
+    const auto is_ahead = [&](int v) { return along.dot(mesh_.position[v] - x) > 0.0; };
+    int rounds = 0;
+    for (std::size_t i = 0; i < after.size(); ++i) {
+      const auto [a, b] = around.edge();
+      const int f = around.star()[i], end = i < around.star_of_a() ? a : b;
+      const int u = mesh_.connectivity.next_vertex(f, end);
+      rounds += !is_ahead(u) && is_ahead(mesh_.connectivity.third_vertex(f, end, u));
+    }
+    return rounds == 1;
+  }
+
+  /// changes(f): the face changes, too, or goes.
+  template <class Changes>
+  bool crosses_any(const Star& changed, Changes changes) const {
+    return any_near(box_of(changed), changes, [&](const PlacedFace& other) {
       return std::any_of(changed.begin(), changed.end(),
-                         [&](const Changed& c) { return !c.is_same() && c.newly_crosses(other); });
+                         [&](const PlacedFace& face) { return newly_cross(face, other); });
     });
   }
 
-  /// True if found(face) is for a face whose box meets this one.
-  template <class Found>
-  bool any_near(const Box& box, Found found) const {
+  /// True if found(face) is for a face that may meet the box, save those left out.
+  template <class LeftOut, class Found>
+  bool any_near(const Box& box, LeftOut left_out, Found found) const {
     if (!boxes_) return false;
     return boxes_->tree().any_meeting(box, [&](int place) {
       const int f = *boxes_->faces_of(place).begin();
-      return mesh_.connectivity.alive(f) && found(PlacedFace(f, mesh_.triangle(f)));
+      return mesh_.connectivity.alive(f) && !left_out(f) && found(PlacedFace(f, mesh_.triangle(f)));
     });
   }
 

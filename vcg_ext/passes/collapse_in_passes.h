@@ -135,7 +135,7 @@ double run_passes_apart(PassSurface& surface, const MetricType& metric, const Co
   PassSurface start = surface;
   for (int trial = 0; trial < trials && surface.is_mostly_free(); ++trial) {
     const double largest_cost = run_passes(surface, metric, plan, record, bound, parallel);
-    const std::vector<Box> places = crossing_places(surface, parallel);
+    const std::vector<Box> places = crossing_places(start, surface, parallel);
     if (places.empty()) return largest_cost;
     record.first_steps() = {};
     hold_in(places, start, parallel);

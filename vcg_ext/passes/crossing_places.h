@@ -2,7 +2,7 @@
 // Where passes have made faces cross.
 #pragma once
 
-#include <algorithm>
+#include <cstddef>
 #include <vector>
 
 #include "vcg_ext/geometry/box_tree.h"
@@ -12,16 +12,27 @@
 
 namespace curvdecim::detail {
 
-/// Boxes around the pairs of faces that cross now, and did not before the passes: of those one has
-/// changed, which is one with a corner that is not held.
-inline std::vector<Box> crossing_places(const PassSurface& surface, const Parallel& parallel) {
-  const auto is_held = [&](int f) {
-    const Face& face = surface.faces[f];
-    return std::all_of(face.begin(), face.end(), [&](int v) { return surface.held[v] != 0; });
-  };
+/// By face of a surface after passes: its number before them. Faces keep their order.
+inline std::vector<int> numbers_before(const PassSurface& start, const PassSurface& surface) {
+  std::vector<int> before(surface.face_origin.size());
+  int f = 0;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    while (start.face_origin[f] != surface.face_origin[i]) ++f;
+    before[i] = f;
+  }
+  return before;
+}
+
+/// Boxes around the pairs of faces that cross now, and did not at the start of the passes.
+inline std::vector<Box> crossing_places(const PassSurface& start, const PassSurface& surface,
+                                        const Parallel& parallel) {
+  const std::vector<FacePair> pairs = crossing_pairs(surface, surface.face_count(), parallel);
+  if (pairs.empty()) return {};
+  const std::vector<int> before = numbers_before(start, surface);
   std::vector<Box> places;
-  for (const auto& [f, g] : crossing_pairs(surface, surface.face_count(), parallel)) {
-    if (is_held(f) && is_held(g)) continue;
+  for (const auto& [f, g] : pairs) {
+    if (faces_cross(before[f], start.triangle(before[f]), before[g], start.triangle(before[g])))
+      continue;
     places.push_back(box_around(surface.triangle(f)));
     places.back().add(box_around(surface.triangle(g)));
   }

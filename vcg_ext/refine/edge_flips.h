@@ -275,7 +275,7 @@ class EdgeFlips {
     const auto face_with = [&](int f, int from, int to) {
       Triangle t = mesh_.triangle(f);
       t[mesh_.connectivity.corner(f, from)] = mesh_.position[to];
-      return CrossingGuard::Changed{{f, mesh_.triangle(f)}, {f, t}};
+      return PlacedFace(f, t);
     };
     return {face_with(flip.f, flip.b, flip.d), face_with(flip.g, flip.a, flip.c)};
   }
