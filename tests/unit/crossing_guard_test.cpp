@@ -48,6 +48,12 @@ bool may_rise(const WorkingMesh& mesh, const CrossingGuard& guard, int from, dou
   return may_go(mesh, guard, from, height * Vector3::UnitZ(), star);
 }
 
+bool may_become(const CrossingGuard& guard, int f, const Triangle& triangle) {
+  CrossingGuard::Star star;
+  star.add(f, triangle);
+  return guard.allows(star);
+}
+
 TEST(CrossingGuard, RefusesAStarThatReachesAnotherSheet) {
   const WorkingMesh mesh = working_mesh(sheets());
   const CrossingGuard guard(mesh, one_thread);
@@ -79,10 +85,10 @@ TEST(CrossingGuard, LetsGoOnCrossingWhatCrosses) {
   const int f = *mesh.connectivity.faces_of(middle).begin();
   Triangle higher = mesh.triangle(f);
   higher[mesh.connectivity.corner(f, middle)].z() += 0.001 * gap;
-  EXPECT_TRUE(guard.allows({PlacedFace(f, higher)}));
+  EXPECT_TRUE(may_become(guard, f, higher));
   Triangle wider = higher;  // and meets others, too
   wider[mesh.connectivity.corner(f, middle)].x() -= 0.1;
-  EXPECT_FALSE(guard.allows({PlacedFace(f, wider)}));
+  EXPECT_FALSE(may_become(guard, f, wider));
 }
 
 TEST(CrossingGuard, RefusesAStarThatFoldsOntoItself) {

@@ -80,6 +80,15 @@ TEST(TrianglesCross, NotWhereTheyAreApartInAboutOnePlane) {
     }
 }
 
+/// The plane is turned by so little that only some signs are beyond rounding.
+TEST(TrianglesCross, NotWhereTheyShareACornerInAboutOnePlane) {
+  const auto at = [](double y, double z) { return Vector3(1.836970198721030e-16 * y, y, z); };
+  const Triangle one = {at(-0.5, 0.375), at(-0.625, 0.25), at(-0.6875, 0.53125)};
+  const Triangle other = {at(-0.5, 0.5625), at(-0.6875, 0.53125), at(-0.625, 0.625)};
+  EXPECT_FALSE(triangles_cross(one, other));
+  EXPECT_FALSE(triangles_cross(other, one));
+}
+
 TEST(TrianglesCross, NotAtACornerThatTheyShare) {
   EXPECT_FALSE(cross(base, {Vector3(0, 0, 0), Vector3(-1, 0, 1), Vector3(0, -1, 1)}));
   EXPECT_FALSE(cross(base, {Vector3(0, 0, 0), Vector3(-4, 0, 0), Vector3(0, -4, 0)}));

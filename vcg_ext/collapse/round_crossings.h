@@ -42,7 +42,7 @@ class RoundCrossings {
     std::vector<std::vector<int>> earlier(count);
     if (count == 0) return earlier;
     std::vector<Box> box(count);
-    parallel.for_each(count, [&](int i) { box[i] = CrossingGuard::box_of(stars_[picks[i]]); });
+    parallel.for_each(count, [&](int i) { box[i] = stars_[picks[i]].box(); });
     BoxTree tree(count);
     tree.fit([&](int nodes, auto work) { parallel.for_each(nodes, work); },
              [&](int i) { return box[i]; });

@@ -158,6 +158,9 @@ class BoxTree {
     return false;
   }
 
+  /// The box of a leaf.
+  FourBoxes::Place place_of(int leaf) const { return place_of_node(first_leaf_ + leaf); }
+
   /// Two nodes whose boxes may have a point in common, the lower number first, or one with itself.
   struct NodePair {
     int a, b;
@@ -236,14 +239,15 @@ class BoxTree {
                        : boxes.set(place, box_of(node - first_leaf_));
   }
 
+  FourBoxes::Place place_of_node(int node) const {
+    return {boxes_[parent(node)], node - child(parent(node), 0)};
+  }
+
   /// Calls add(pair) for the pairs of children that may meet. A leaf has itself for its only one;
   /// a is none.
   template <class Add>
   void open(NodePair pair, Add add) const {
-    if (pair.b >= first_leaf_) {
-      const int place = pair.b - child(parent(pair.b), 0);
-      return open_against(pair.a, 0, {boxes_[parent(pair.b)], place}, pair.b, add);
-    }
+    if (pair.b >= first_leaf_) return open_against(pair.a, 0, place_of_node(pair.b), pair.b, add);
     for (int i = 0; i < width; ++i)
       open_against(pair.b, pair.a == pair.b ? i : 0, {boxes_[pair.a], i}, child(pair.a, i), add);
   }

@@ -14,6 +14,8 @@ inline bool are_in_one_place(const Vector3& p, const Vector3& q) {
   return p[0] == q[0] && p[1] == q[1] && p[2] == q[2];  // mostly the first is enough
 }
 
+inline OrientedPlane plane_through(const Triangle& t) { return {t[0], t[1], t[2]}; }
+
 using CornerRefs = std::array<const Vector3*, 3>;
 
 /// Two triangles, each turned so that the corners which they share come first, and how many these
@@ -43,9 +45,8 @@ inline Sides sides_of(const CornerRefs& s, const CornerRefs& t, int shared) {
 }
 
 /// True if t clearly has nothing in the plane of s but corners that both share: so it is nearly
-/// always, and no more has to be looked at.
-inline bool only_shares_corners(const Triangle& s, const Triangle& t) {
-  const OrientedPlane plane(s[0], s[1], s[2]);
+/// always, and no more has to be looked at. plane: of s.
+inline bool only_shares_corners(const Triangle& s, const OrientedPlane& plane, const Triangle& t) {
   bool has_front = false, has_back = false;
   for (const Vector3& p : t) {
     const int side = plane.side(p);
@@ -78,7 +79,8 @@ inline bool any_edge_meets(const CornerRefs& s, const Sides& side, const CornerR
   return false;
 }
 
-// --- in a plane ----------------------------------------------------------------------------------
+// --- seen from one side
+// ----------------------------------------------------------------------------------
 
 using FlatTriangle = std::array<Vector2, 3>;
 
@@ -118,9 +120,9 @@ inline bool has_corner_in_angle(const FlatTriangle& s, const FlatTriangle& t) {
   return false;
 }
 
-/// True if triangles in one plane, but for rounding, have more in common than the corners that they
-/// share.
-inline bool overlap_in_plane(const TrianglePair& pair) {
+/// True if the triangles, as they are seen along that axis, have more in common than the corners
+/// that they share.
+inline bool overlap_as_seen(const TrianglePair& pair) {
   const auto [s, t] = flattened(pair);
   if (pair.shared == 0) return !has_separating_edge(s, t) && !has_separating_edge(t, s);
   if (pair.shared == 1) return has_corner_in_angle(s, t) || has_corner_in_angle(t, s);
@@ -129,21 +131,26 @@ inline bool overlap_in_plane(const TrianglePair& pair) {
 
 // --- in space ------------------------------------------------------------------------------------
 
-/// True if the triangles have a point in common that is no corner or edge of both. Neighbours at an
-/// edge cross where one lies on the other, triangles with the same corners always do. To touch is
-/// to cross, and so is what rounding cannot tell from it.
-inline bool triangles_cross(const Triangle& first, const Triangle& second) {
-  if (only_shares_corners(first, second) || only_shares_corners(second, first)) return false;
+/// As triangles_cross, of triangles that are not clearly apart.
+inline bool close_triangles_cross(const Triangle& first, const Triangle& second) {
   const TrianglePair pair(first, second);
   const auto& [s, t, shared] = pair;
   if (shared == 3) return true;
   if (shared == 2)
-    return OrientedPlane(*s[0], *s[1], *s[2]).side(*t[2]) == 0 && overlap_in_plane(pair);
+    return OrientedPlane(*s[0], *s[1], *s[2]).side(*t[2]) == 0 && overlap_as_seen(pair);
+  if (!overlap_as_seen(pair)) return false;  // nor do they in space, though rounding may hide it
   const Sides of_t = sides_of(s, t, shared), of_s = sides_of(t, s, shared);
-  const bool is_s_flat = of_s == Sides{}, is_t_flat = of_t == Sides{};
-  if ((is_s_flat || is_t_flat) && !overlap_in_plane(pair)) return false;
-  if (is_s_flat && is_t_flat) return true;
+  if (of_s == Sides{} && of_t == Sides{}) return true;
   return any_edge_meets(s, of_s, t, shared) || any_edge_meets(t, of_t, s, shared);
+}
+
+/// True if the triangles have a point in common that is no corner or edge of both. Neighbours at an
+/// edge cross where one lies on the other, triangles with the same corners always do. To touch is
+/// to cross, and so is what rounding cannot tell from it.
+inline bool triangles_cross(const Triangle& first, const Triangle& second) {
+  return !only_shares_corners(first, plane_through(first), second) &&
+         !only_shares_corners(second, plane_through(second), first) &&
+         close_triangles_cross(first, second);
 }
 
 }  // namespace curvdecim::detail

@@ -19,7 +19,43 @@ namespace curvdecim::detail {
 class CrossingGuard {
  public:
   /// What a change makes of the faces that are others afterwards; reused from edge to edge.
-  using Star = std::vector<PlacedFace>;
+  class Star {
+   public:
+    void clear() { faces_.clear(), boxes_.clear(), box_ = {}; }
+
+    void add(int f, const Triangle& now) {
+      const std::size_t lane = faces_.size() % FourBoxes::count;
+      if (lane == 0) boxes_.emplace_back();
+      const Box box = box_around(now);
+      boxes_.back().set(static_cast<int>(lane), box), box_.add(box);
+      faces_.emplace_back(f, now);
+    }
+
+    const std::vector<PlacedFace>& faces() const { return faces_; }
+    /// Around all.
+    const Box& box() const { return box_; }
+
+    bool has(int f) const {
+      return std::any_of(faces_.begin(), faces_.end(),
+                         [f](const PlacedFace& face) { return face.face == f; });
+    }
+
+    /// True if found(face) is for one that may meet a box.
+    template <class Found>
+    bool any_meeting(const FourBoxes::Place& box, Found found) const {
+      for (std::size_t four = 0; four < boxes_.size(); ++four) {
+        const auto meets = boxes_[four].meets(box);
+        for (int i = 0; i < FourBoxes::count; ++i)
+          if (meets[i] != 0 && found(faces_[FourBoxes::count * four + i])) return true;
+      }
+      return false;
+    }
+
+   private:
+    std::vector<PlacedFace> faces_;
+    std::vector<FourBoxes> boxes_;  // of four faces each
+    Box box_;
+  };
 
   CrossingGuard(const WorkingMesh& mesh, const Parallel& parallel)
       : mesh_(mesh), parallel_(parallel) {
@@ -34,7 +70,7 @@ class CrossingGuard {
     star.clear();
     for (std::size_t i = 0; i < around.star().size(); ++i)
       if (mesh_.position[i < around.star_of_a() ? a : b] != x)
-        star.emplace_back(around.star()[i], triangle_after(mesh_, around.star()[i], {a, b}, x));
+        star.add(around.star()[i], triangle_after(mesh_, around.star()[i], {a, b}, x));
     const auto changes = [&, a = a, b = b](int f) {
       return mesh_.connectivity.face_has(f, a) || mesh_.connectivity.face_has(f, b);
     };
@@ -45,33 +81,25 @@ class CrossingGuard {
 
   /// May face f, which is none now, be added with these corners?
   bool allows_face(int f, const Triangle& triangle) const {
-    const PlacedFace now(f, triangle);
-    const auto is_left_out = [](int) { return false; };
-    return !any_near(now.box, is_left_out,
-                     [&](const PlacedFace& other) { return now.crosses(other); });
+    Star added;
+    added.add(f, triangle);
+    return !crosses_any(added, [f](int other) { return other == f; });
   }
 
   /// May these faces change so, others staying as they are?
   bool allows(const Star& changed) const {
-    return !cross_each_other(changed) && !crosses_any(changed, [&](int f) {
-      return std::any_of(changed.begin(), changed.end(),
-                         [f](const PlacedFace& c) { return c.face == f; });
-    });
+    return !cross_each_other(changed) &&
+           !crosses_any(changed, [&](int f) { return changed.has(f); });
   }
 
   /// True if two changes that are allowed each by itself may not be made both.
   bool are_in_conflict(const Star& a, const Star& b) const {
-    for (const PlacedFace& of_a : a)
-      for (const PlacedFace& of_b : b)
-        if (newly_cross(of_a, of_b)) return true;
+    for (const PlacedFace& of_a : a.faces()) {
+      const FourBoxes::Place place(box_around(of_a.triangle));
+      if (b.any_meeting(place, [&](const PlacedFace& of_b) { return newly_cross(of_a, of_b); }))
+        return true;
+    }
     return false;
-  }
-
-  /// The box around what changes.
-  static Box box_of(const Star& star) {
-    Box box;
-    for (const PlacedFace& face : star) box.add(face.box);
-    return box;
   }
 
   /// To be told of a face that has changed or is new.
@@ -98,16 +126,18 @@ class CrossingGuard {
   /// The cosine from which a face is clearly seen from the front.
   static constexpr double clearly = 0.1;
 
-  /// Whether the faces cross so, and not as they are now.
+  /// Whether the faces cross so, and not as they are now. g is a face already.
   bool newly_cross(const PlacedFace& f, const PlacedFace& g) const {
-    return f.crosses(g) &&
-           !faces_cross(f.face, mesh_.triangle(f.face), g.face, mesh_.triangle(g.face));
+    if (!f.crosses(g)) return false;
+    const bool is_new = !mesh_.connectivity.alive(f.face);
+    return is_new || !faces_cross(f.face, mesh_.triangle(f.face), g.face, mesh_.triangle(g.face));
   }
 
   bool cross_each_other(const Star& star) const {
-    for (std::size_t i = 0; i < star.size(); ++i)
+    const std::vector<PlacedFace>& faces = star.faces();
+    for (std::size_t i = 0; i < faces.size(); ++i)
       for (std::size_t k = 0; k < i; ++k)
-        if (newly_cross(star[i], star[k])) return true;
+        if (newly_cross(faces[i], faces[k])) return true;
     return false;
   }
 
@@ -117,7 +147,7 @@ class CrossingGuard {
     for (std::size_t i = 0; i < around.star().size(); ++i) {
       if (mesh_.position[i < around.star_of_a() ? a : b] != x) continue;
       const PlacedFace rest(around.star()[i], mesh_.triangle(around.star()[i]));
-      for (const PlacedFace& face : star)
+      for (const PlacedFace& face : star.faces())
         if (newly_cross(face, rest)) return true;
     }
     return false;
@@ -144,22 +174,19 @@ class CrossingGuard {
     return rounds == 1;
   }
 
-  /// changes(f): the face changes, too, or goes.
+  /// True if what changes crosses another face. changes(f): the face changes, too, or goes.
   template <class Changes>
-  bool crosses_any(const Star& changed, Changes changes) const {
-    return any_near(box_of(changed), changes, [&](const PlacedFace& other) {
-      return std::any_of(changed.begin(), changed.end(),
-                         [&](const PlacedFace& face) { return newly_cross(face, other); });
-    });
-  }
-
-  /// True if found(face) is for a face that may meet the box, save those left out.
-  template <class LeftOut, class Found>
-  bool any_near(const Box& box, LeftOut left_out, Found found) const {
+  bool crosses_any(const Star& star, Changes changes) const {
     if (!boxes_) return false;
-    return boxes_->tree().any_meeting(box, [&](int place) {
+    const BoxTree& tree = boxes_->tree();
+    return tree.any_meeting(star.box(), [&](int place) {
       const int f = *boxes_->faces_of(place).begin();
-      return mesh_.connectivity.alive(f) && !left_out(f) && found(PlacedFace(f, mesh_.triangle(f)));
+      if (!mesh_.connectivity.alive(f) || changes(f)) return false;
+      std::optional<PlacedFace> other;
+      return star.any_meeting(tree.place_of(place), [&](const PlacedFace& face) {
+        if (!other) other.emplace(f, mesh_.triangle(f));
+        return newly_cross(face, *other);
+      });
     });
   }
 

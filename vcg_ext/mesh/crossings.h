@@ -22,17 +22,19 @@ inline bool faces_cross(int f, const Triangle& of_f, int g, const Triangle& of_g
   return cross && box_around(of_f).meets(box_around(of_g));
 }
 
-/// A face with its corners and the box around them.
+/// A face with its corners and its plane, to be compared with many others.
 struct PlacedFace {
   int face;
   Triangle triangle;
-  Box box;
+  OrientedPlane plane;
 
   PlacedFace(int its_face, const Triangle& its_triangle)
-      : face(its_face), triangle(its_triangle), box(box_around(its_triangle)) {}
+      : face(its_face), triangle(its_triangle), plane(plane_through(its_triangle)) {}
 
   bool crosses(const PlacedFace& o) const {
-    return box.meets(o.box) && faces_cross(face, triangle, o.face, o.triangle);
+    return !only_shares_corners(triangle, plane, o.triangle) &&
+           !only_shares_corners(o.triangle, o.plane, triangle) &&
+           faces_cross(face, triangle, o.face, o.triangle);
   }
 };
 

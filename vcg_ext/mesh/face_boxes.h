@@ -47,7 +47,6 @@ class FaceBoxes {
   }
 
   int face_count() const { return static_cast<int>(order_.size()); }
-  int leaf_count() const { return (face_count() + LeafSize - 1) / LeafSize; }
 
   /// What is in a leaf; a face may be gone.
   IndexRange faces_of(int leaf) const {

@@ -272,12 +272,14 @@ class EdgeFlips {
 
   /// The corners are in the order in which they will be.
   CrossingGuard::Star changed_by(const Flip& flip) const {
-    const auto face_with = [&](int f, int from, int to) {
+    CrossingGuard::Star changed;
+    const auto add = [&](int f, int from, int to) {
       Triangle t = mesh_.triangle(f);
       t[mesh_.connectivity.corner(f, from)] = mesh_.position[to];
-      return PlacedFace(f, t);
+      changed.add(f, t);
     };
-    return {face_with(flip.f, flip.b, flip.d), face_with(flip.g, flip.a, flip.c)};
+    add(flip.f, flip.b, flip.d), add(flip.g, flip.a, flip.c);
+    return changed;
   }
 
   void match_again(const Flip& flip, const std::vector<int>& near) {
