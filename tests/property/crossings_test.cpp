@@ -84,7 +84,7 @@ TEST(PreventIntersections, KeepsShellsApartThatCrossWithoutIt) {
 }
 
 TEST(PreventIntersections, KeepsPlatesApart) {
-  const Shape plates = bent_plates(0.02);
+  const Shape plates = bent_plates(0.01);
   ASSERT_TRUE(crossing(plates).empty());
   for (Preset preset : presets) {
     EdgeCollapseParams params = apart(plates.face_count() / 20, preset);

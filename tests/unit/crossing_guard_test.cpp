@@ -26,19 +26,25 @@ constexpr int middle = 12;  // of the lower sheet
 constexpr int beside = 13;
 constexpr int of_sheet = 25;  // vertices
 
-/// Whether the edge in the middle of a sheet, from this vertex on, may collapse to so far from
-/// where it is; the same whether it is known to be a disk or not.
-bool may_go(const WorkingMesh& mesh, const CrossingGuard& guard, int from, const Vector3& step,
-            CrossingGuard::Star& star) {
+/// Whether the edge may collapse to x; the same whether its star is known to be a disk or not.
+bool may_collapse(const WorkingMesh& mesh, const CrossingGuard& guard, Edge edge, const Vector3& x,
+                  CrossingGuard::Star& star) {
   EdgeNeighborhood around;
-  around.gather(mesh.connectivity, {from, from + (beside - middle)});
-  const Vector3 x = mesh.position[from] + step;
+  around.gather(mesh.connectivity, edge);
   std::vector<FacePlane> after;
   for (int f : around.star())
     after.push_back(face_plane(triangle_after(mesh, f, around.edge(), x)));
   const bool allows = guard.allows(around, x, after, false, star);
   EXPECT_EQ(guard.allows(around, x, after, true, star), allows);
   return allows;
+}
+
+/// Whether the edge in the middle of a sheet, from this vertex on, may collapse to so far from
+/// where it is.
+bool may_go(const WorkingMesh& mesh, const CrossingGuard& guard, int from, const Vector3& step,
+            CrossingGuard::Star& star) {
+  return may_collapse(mesh, guard, {from, from + (beside - middle)}, mesh.position[from] + step,
+                      star);
 }
 
 /// Whether the edge in the middle of a sheet, from this vertex on, may collapse to so much above
@@ -69,13 +75,13 @@ TEST(CrossingGuard, FollowsAndForgetsWhatIsGone) {
   WorkingMesh mesh = working_mesh(sheets());
   CrossingGuard guard(mesh, one_thread);
   CrossingGuard::Star star;
-  for (int v = of_sheet; v < 2 * of_sheet; ++v) mesh.position[v].z() += 2.0 * gap;
+  for (int v = of_sheet; v < 2 * of_sheet; ++v) mesh.position[v].z() = -gap;
   for (int v = of_sheet; v < 2 * of_sheet; ++v) guard.update_around(v);
-  EXPECT_TRUE(may_rise(mesh, guard, middle, 2.9 * gap, star));
-  EXPECT_FALSE(may_rise(mesh, guard, middle, 3.1 * gap, star));
+  EXPECT_TRUE(may_rise(mesh, guard, middle, 1.1 * gap, star));
+  EXPECT_FALSE(may_rise(mesh, guard, middle, -1.1 * gap, star));
   for (int f = mesh.connectivity.face_slots() / 2; f < mesh.connectivity.face_slots(); ++f)
     mesh.connectivity.count(mesh.connectivity.remove_face(f));
-  EXPECT_TRUE(may_rise(mesh, guard, middle, 3.1 * gap, star));
+  EXPECT_TRUE(may_rise(mesh, guard, middle, -1.1 * gap, star));
 }
 
 TEST(CrossingGuard, LetsGoOnCrossingWhatCrosses) {
@@ -99,6 +105,25 @@ TEST(CrossingGuard, RefusesAStarThatFoldsOntoItself) {
   EXPECT_FALSE(may_go(mesh, guard, middle, Vector3(0.0, 0.25, 0.0), star));
 }
 
+/// There are no other faces that it could meet.
+TEST(CrossingGuard, RefusesAStarThatTurnsOver) {
+  const WorkingMesh mesh = working_mesh(
+      {{{-0.1, 0.0, 0.0},
+        {0.1, 0.0, 0.0},
+        {0.0, 0.2, 0.0},
+        {-0.3, 0.1, 0.0},
+        {-0.3, -0.1, 0.0},
+        {0.0, -0.2, 0.0},
+        {0.3, -0.1, 0.0},
+        {0.3, 0.1, 0.0}},
+       {{0, 1, 2}, {1, 0, 5}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}, {1, 5, 6}, {1, 6, 7}, {1, 7, 2}}});
+  const CrossingGuard guard(mesh, one_thread);
+  CrossingGuard::Star star;
+  EXPECT_TRUE(may_collapse(mesh, guard, {0, 1}, {0.05, 0.0, 0.0}, star));
+  EXPECT_TRUE(may_collapse(mesh, guard, {0, 1}, {0.05, 0.0, 0.4}, star));
+  EXPECT_FALSE(may_collapse(mesh, guard, {0, 1}, {0.4, 0.0, 0.0}, star));
+}
+
 TEST(CrossingGuard, RefusesAFaceThroughOthers) {
   WorkingMesh mesh = working_mesh(sheets());
   const int f = mesh.connectivity.face_slots() - 1;
@@ -116,7 +141,8 @@ TEST(RoundCrossings, KeepTheFirstOfTwoThatMeetHalfWay) {
   crossings.begin(5);
   CrossingGuard::Star star;
   ASSERT_TRUE(may_rise(mesh, guard, middle, 0.6 * gap, star));
-  crossings.keep(1, star), crossings.keep(4, star);
+  CrossingGuard::Star same = star;
+  crossings.keep(1, star), crossings.keep(4, same);
   ASSERT_TRUE(may_rise(mesh, guard, of_sheet + middle, -0.6 * gap, star));
   crossings.keep(2, star);
   for (int threads : {1, 3}) {

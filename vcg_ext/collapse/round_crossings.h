@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "vcg_ext/geometry/box_tree.h"
@@ -18,8 +19,8 @@ class RoundCrossings {
     if (static_cast<int>(stars_.size()) < picks) stars_.resize(picks);
   }
 
-  /// star: what pick i changes. Different picks may be kept at the same time.
-  void keep(int i, const CrossingGuard::Star& star) { stars_[i] = star; }
+  /// Takes what pick i changes. Different picks may be kept at the same time.
+  void keep(int i, CrossingGuard::Star& star) { std::swap(stars_[i], star); }
 
   /// Of these picks, ascending, those that are in conflict with one before them that is done.
   std::vector<int> to_drop(const std::vector<int>& picks, const CrossingGuard& guard,

@@ -55,6 +55,8 @@ class FourBoxes {
     Place(const FourBoxes& boxes, int i)
         : low{boxes.low_[0][i], boxes.low_[1][i], boxes.low_[2][i]},
           high{boxes.high_[0][i], boxes.high_[1][i], boxes.high_[2][i]} {}
+
+    bool operator==(const Place& o) const { return low == o.low && high == o.high; }
   };
 
   FourBoxes() {
@@ -134,7 +136,11 @@ class BoxTree {
   /// Sets the boxes of a leaf and of what it is in. box_of(leaf) gives a Box.
   template <class BoxOf>
   void refit(int leaf, BoxOf box_of) {
-    for (int node = first_leaf_ + leaf; node > 0; node = parent(node)) fit_box(node, box_of);
+    for (int node = first_leaf_ + leaf; node > 0; node = parent(node)) {
+      const FourBoxes::Place before = place_of_node(node);
+      fit_box(node, box_of);
+      if (place_of_node(node) == before) return;  // what it is in has not changed either
+    }
   }
 
   /// Asks found(leaf) of the leaves that may have a point of the box in them, until it is true for
