@@ -115,6 +115,42 @@ TEST(TrianglesCross, WhereOneHasNoArea) {
   EXPECT_FALSE(cross(base, {Vector3(0, 0, 0), Vector3(4, 0, 0), Vector3(2, 0, 0)}));
 }
 
+/// Reaches through the base, and past its edge, by this much.
+Triangle pin(double depth, double past_edge) {
+  return {Vector3(1, past_edge, -depth), Vector3(1, past_edge, 1), Vector3(2, 1, 1)};
+}
+
+bool cross_deeper(const Triangle& s, const Triangle& t) {
+  constexpr double depth = 0.01;
+  const bool answer = triangles_cross_deeper(depth, s, t);
+  for (int i = 0; i < 3; ++i)
+    for (int k = 0; k < 3; ++k) {
+      EXPECT_EQ(triangles_cross_deeper(depth, turned(s, i), turned(t, k)), answer);
+      EXPECT_EQ(triangles_cross_deeper(depth, turned(t, k), turned(s, i)), answer);
+    }
+  return answer;
+}
+
+TEST(TrianglesCrossDeeper, WhereOneGoesFurtherThroughTheOther) {
+  EXPECT_TRUE(cross_deeper(base, pin(0.011, 1.0)));
+  EXPECT_FALSE(cross_deeper(base, pin(0.009, 1.0)));
+  EXPECT_TRUE(cross_deeper(base, {Vector3(0, 0, 0), Vector3(1, 1, -1), Vector3(1, 1, 1)}));
+}
+
+/// As the corner of a face that only lies on another one's edge, but for rounding.
+TEST(TrianglesCrossDeeper, NotWhereItIsAtTheOthersEdge) {
+  EXPECT_TRUE(cross_deeper(base, pin(0.011, 0.011)));
+  const Triangle upright = {Vector3(1, 0.009, -1), Vector3(1, 0.009, 1), Vector3(1, -1, 1)};
+  EXPECT_FALSE(cross_deeper(base, upright));
+  EXPECT_TRUE(triangles_cross(base, upright));
+}
+
+TEST(TrianglesCrossDeeper, NotWhereTheyOverlapInAPlaneOrShareAnEdge) {
+  EXPECT_FALSE(cross_deeper(base, {Vector3(1, 1, 0), Vector3(2, 1, 0), Vector3(1, 2, 0)}));
+  EXPECT_FALSE(cross_deeper(base, {Vector3(0, 0, 0), Vector3(4, 0, 0), Vector3(1, 1, 0)}));
+  EXPECT_FALSE(cross_deeper(base, base));
+}
+
 TEST(OrientedPlane, HasNoSideWhereRoundingCouldTurnIt) {
   const Vector3 a(0.1, 0.2, 0.3), b(0.7, 0.2, 0.4), c(0.3, 0.9, 0.5);
   const Vector3 inside = (a + b + c) / 3.0, normal = (b - a).cross(c - a);

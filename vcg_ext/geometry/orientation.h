@@ -35,12 +35,16 @@ class OrientedPlane {
     }
   }
 
-  /// 1 where p lies in front of it, where a, b, c run counterclockwise.
-  int side(const Vector3& p) const {
+  /// 1 where p lies in front of it, where a, b, c run counterclockwise. volume: up to which that of
+  /// the box of a, b, c and p counts as none.
+  int side(const Vector3& p, double volume = 0.0) const {
     constexpr double rounding = (7.0 + 56.0 * half_ulp) * half_ulp;
     const Vector3 to = p - origin_;
-    return sign_beyond(normal_.dot(to), rounding * size_.dot(to.cwiseAbs()));
+    return sign_beyond(normal_.dot(to), rounding * size_.dot(to.cwiseAbs()) + volume);
   }
+
+  /// Twice the area of the three points.
+  double normal_length() const { return normal_.norm(); }
 
  private:
   Vector3 origin_, normal_, size_;

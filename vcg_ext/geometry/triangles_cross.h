@@ -2,6 +2,7 @@
 // Whether two triangles cross. Corners in the same place count as one, as those of neighbours are.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -36,12 +37,22 @@ struct TrianglePair {
   }
 };
 
+/// What two triangles have in common beside the corners that they share.
+enum class Contact {
+  None,
+  Touch,  ///< or too little to be told from nothing, or from a crossing
+  Cross
+};
+
 using Sides = std::array<int, 3>;
 
-/// On which sides of the plane of s the corners of t are, of which the first `shared` are in it.
-inline Sides sides_of(const CornerRefs& s, const CornerRefs& t, int shared) {
+/// On which sides of the plane of s the corners of t are, of which the first `shared` are in it;
+/// those within `depth` are, too.
+inline Sides sides_of(const CornerRefs& s, const CornerRefs& t, int shared, double depth) {
   const OrientedPlane plane(*s[0], *s[1], *s[2]);
-  return {shared > 0 ? 0 : plane.side(*t[0]), plane.side(*t[1]), plane.side(*t[2])};
+  const double volume = depth > 0.0 ? depth * plane.normal_length() : 0.0;
+  return {shared > 0 ? 0 : plane.side(*t[0], volume), plane.side(*t[1], volume),
+          plane.side(*t[2], volume)};
 }
 
 /// True if t clearly has nothing in the plane of s but corners that both share: so it is nearly
@@ -58,29 +69,45 @@ inline bool only_shares_corners(const Triangle& s, const OrientedPlane& plane, c
   return has_front != has_back;
 }
 
-/// True if the segment from p to q meets the triangle. side_p, side_q: of its plane, not both 0.
-inline bool meets(const Vector3& p, const Vector3& q, int side_p, int side_q, const CornerRefs& t) {
-  if (side_p * side_q > 0) return false;
-  const auto side_of_edge = [&](int i, int k) { return OrientedPlane(p, q, *t[i]).side(*t[k]); };
-  const int a = side_of_edge(0, 1), b = side_of_edge(1, 2);
-  if (a * b < 0) return false;
-  const int c = side_of_edge(2, 0);
-  return a * c >= 0 && b * c >= 0;
+/// True if the triangles clearly have no more in common than corners; each with its plane.
+inline bool are_clearly_apart(const Triangle& s, const OrientedPlane& of_s, const Triangle& t,
+                              const OrientedPlane& of_t) {
+  return only_shares_corners(s, of_s, t) || only_shares_corners(t, of_t, s);
 }
 
-/// True if an edge of s meets t, or, where they share a corner, the one across from it. side: of
-/// the plane of t. An edge in that plane is left to the edges beside it.
-inline bool any_edge_meets(const CornerRefs& s, const Sides& side, const CornerRefs& t,
-                           int shared) {
+/// On which side of the line from p to q the one from a to b passes; 0 within `depth` of it.
+inline int side_of_line(const Vector3& p, const Vector3& q, const Vector3& a, const Vector3& b,
+                        double depth) {
+  const double volume = depth > 0.0 ? depth * (q - p).cross(b - a).norm() : 0.0;
+  return OrientedPlane(p, q, a).side(b, volume);
+}
+
+/// What the segment from p to q has in common with t. side_p, side_q: of its plane, not both 0.
+inline Contact contact_of(const Vector3& p, const Vector3& q, int side_p, int side_q,
+                          const CornerRefs& t, double depth) {
+  if (side_p * side_q > 0) return Contact::None;
+  const int a = side_of_line(p, q, *t[0], *t[1], depth);
+  const int b = side_of_line(p, q, *t[1], *t[2], depth);
+  if (a * b < 0) return Contact::None;
+  const int c = side_of_line(p, q, *t[2], *t[0], depth);
+  if (a * c < 0 || b * c < 0) return Contact::None;
+  return side_p != 0 && side_q != 0 && a * b * c != 0 ? Contact::Cross : Contact::Touch;
+}
+
+/// What the edges of s have in common with t, or, where they share a corner, the one across from
+/// it. side: of the plane of t. An edge in that plane is left to the edges beside it.
+inline Contact contact_of_edges(const CornerRefs& s, const Sides& side, const CornerRefs& t,
+                                int shared, double depth) {
+  Contact most = Contact::None;
   for (int i = shared; i < 3 - shared; ++i) {
     const int k = (i + 1) % 3;
-    if ((side[i] != 0 || side[k] != 0) && meets(*s[i], *s[k], side[i], side[k], t)) return true;
+    if (side[i] != 0 || side[k] != 0)
+      most = std::max(most, contact_of(*s[i], *s[k], side[i], side[k], t, depth));
   }
-  return false;
+  return most;
 }
 
-// --- seen from one side
-// ----------------------------------------------------------------------------------
+// --- seen from one side --------------------------------------------------------------------------
 
 using FlatTriangle = std::array<Vector2, 3>;
 
@@ -131,26 +158,32 @@ inline bool overlap_as_seen(const TrianglePair& pair) {
 
 // --- in space ------------------------------------------------------------------------------------
 
-/// As triangles_cross, of triangles that are not clearly apart.
-inline bool close_triangles_cross(const Triangle& first, const Triangle& second) {
+/// What the triangles have in common. depth: of the same unit; one that reaches no further through
+/// the other, or past the other's edge, touches.
+inline Contact contact_of(const Triangle& first, const Triangle& second, double depth) {
   const TrianglePair pair(first, second);
   const auto& [s, t, shared] = pair;
-  if (shared == 3) return true;
-  if (shared == 2)
-    return OrientedPlane(*s[0], *s[1], *s[2]).side(*t[2]) == 0 && overlap_as_seen(pair);
-  if (!overlap_as_seen(pair)) return false;  // nor do they in space, though rounding may hide it
-  const Sides of_t = sides_of(s, t, shared), of_s = sides_of(t, s, shared);
-  if (of_s == Sides{} && of_t == Sides{}) return true;
-  return any_edge_meets(s, of_s, t, shared) || any_edge_meets(t, of_t, s, shared);
+  if (shared == 3) return Contact::Touch;
+  if (!overlap_as_seen(pair)) return Contact::None;  // in space, too, though rounding may hide it
+  const Sides of_t = sides_of(s, t, shared, depth), of_s = sides_of(t, s, shared, depth);
+  if (shared == 2) return of_t[2] == 0 ? Contact::Touch : Contact::None;
+  if (of_s == Sides{} && of_t == Sides{}) return Contact::Touch;
+  return std::max(contact_of_edges(s, of_s, t, shared, depth),
+                  contact_of_edges(t, of_t, s, shared, depth));
 }
 
 /// True if the triangles have a point in common that is no corner or edge of both. Neighbours at an
 /// edge cross where one lies on the other, triangles with the same corners always do. To touch is
 /// to cross, and so is what rounding cannot tell from it.
 inline bool triangles_cross(const Triangle& first, const Triangle& second) {
-  return !only_shares_corners(first, plane_through(first), second) &&
-         !only_shares_corners(second, plane_through(second), first) &&
-         close_triangles_cross(first, second);
+  return !are_clearly_apart(first, plane_through(first), second, plane_through(second)) &&
+         contact_of(first, second, 0.0) != Contact::None;
+}
+
+/// True if one triangle clearly goes through the other, by more than this depth.
+inline bool triangles_cross_deeper(double depth, const Triangle& first, const Triangle& second) {
+  return !are_clearly_apart(first, plane_through(first), second, plane_through(second)) &&
+         contact_of(first, second, depth) == Contact::Cross;
 }
 
 }  // namespace curvdecim::detail

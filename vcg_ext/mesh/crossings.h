@@ -32,8 +32,7 @@ struct PlacedFace {
       : face(its_face), triangle(its_triangle), plane(plane_through(its_triangle)) {}
 
   bool crosses(const PlacedFace& o) const {
-    return !only_shares_corners(triangle, plane, o.triangle) &&
-           !only_shares_corners(o.triangle, o.plane, triangle) &&
+    return !are_clearly_apart(triangle, plane, o.triangle, o.plane) &&
            faces_cross(face, triangle, o.face, o.triangle);
   }
 };
@@ -42,15 +41,17 @@ struct PlacedFace {
 template <class Surface>
 using SingleBoxes = FaceBoxes<Surface, 1>;
 
-/// All pairs of faces that cross, in ascending order.
-template <class Surface>
-std::vector<FacePair> crossing_pairs(const SingleBoxes<Surface>& boxes, const Parallel& parallel) {
+/// All pairs of faces that cross, in ascending order. cross(f, corners of f, g, corners of g): of
+/// faces f < g whose boxes may meet.
+template <class Surface, class Cross>
+std::vector<FacePair> crossing_pairs(const SingleBoxes<Surface>& boxes, Cross cross,
+                                     const Parallel& parallel) {
   constexpr int shares = 4096;  // of the work, about
   const auto nodes = boxes.tree().meeting_pairs(shares);
   std::vector<std::vector<FacePair>> of_worker(parallel.threads());
   const auto test = [&](int leaf, int other, std::vector<FacePair>& pairs) {
     const auto [f, g] = std::minmax(*boxes.faces_of(leaf).begin(), *boxes.faces_of(other).begin());
-    if (faces_cross(f, boxes.surface().triangle(f), g, boxes.surface().triangle(g)))
+    if (cross(f, boxes.surface().triangle(f), g, boxes.surface().triangle(g)))
       pairs.push_back({f, g});
   };
   const auto do_range = [&](int begin, int end, int worker) {
@@ -64,6 +65,11 @@ std::vector<FacePair> crossing_pairs(const SingleBoxes<Surface>& boxes, const Pa
     all.insert(all.end(), pairs.begin(), pairs.end());
   std::sort(all.begin(), all.end());
   return all;
+}
+
+template <class Surface>
+std::vector<FacePair> crossing_pairs(const SingleBoxes<Surface>& boxes, const Parallel& parallel) {
+  return crossing_pairs(boxes, faces_cross, parallel);
 }
 
 /// The same of a surface with `faces` faces, of which there may be none.

@@ -23,18 +23,22 @@ struct SurfacePoint {
 /// For searches: takes every face.
 inline bool any_face(const Vector3&) { return true; }
 
-/// The point of face f nearest to p, if `accept` takes the face's normal (of any length) and it is
-/// nearer than `best`.
-template <class Surface, class Accept>
-void look_at(const Surface& surface, int f, const Vector3& p, Accept accept, SurfacePoint& best) {
-  const Triangle& t = surface.triangle(f);
-  const Vector3 normal = (t[1] - t[0]).cross(t[2] - t[0]);
-  if (!accept(normal)) return;
+/// Sets `best` to the point of a triangle nearest to p, if it is nearer. normal: of any length.
+inline void look_at(const Triangle& t, const Vector3& normal, int face, const Vector3& p,
+                    SurfacePoint& best) {
   const double height = normal.dot(p - t[0]);
   if (height * height > best.distance2 * normal.squaredNorm()) return;  // so is its plane already
   const Barycentric weight = closest_point(t, normal, p);
   const double distance2 = (at(t, weight) - p).squaredNorm();
-  if (distance2 < best.distance2) best = {f, weight, distance2};
+  if (distance2 < best.distance2) best = {face, weight, distance2};
+}
+
+/// The same for face f of a surface, if `accept` takes the face's normal.
+template <class Surface, class Accept>
+void look_at(const Surface& surface, int f, const Vector3& p, Accept accept, SurfacePoint& best) {
+  const Triangle& t = surface.triangle(f);
+  const Vector3 normal = (t[1] - t[0]).cross(t[2] - t[0]);
+  if (accept(normal)) look_at(t, normal, f, p, best);
 }
 
 /// Finds the points of a surface that are nearest to others, by boxes around its faces.
