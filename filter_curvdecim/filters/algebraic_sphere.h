@@ -42,7 +42,7 @@ struct AlgebraicSphereFilter {
 
   static ParameterRows<Params> parameters() {
     return joined<ParameterRow<Params>>({target_rows<Params>(),
-                                         {sweeps_row()},
+                                         {also_for_assemblies(sweeps_row())},
                                          common_rows<Params>(),
                                          for_papers(kernel_rows()),
                                          for_papers<Params>({energy_row(), placement_row()}),
