@@ -135,6 +135,7 @@ CASES = (
     *_edges(joinborders=_SWITCH, preservetopology=_SWITCH),
     *_edges(attributeweight=(0.0, 1.0)),
     *_edges(preventintersections=True, preset=_PRESETS),
+    *_edges(preventintersections=True, targetfacenum=0, targetperc=0.0, maxerror=_percent(0.5)),
     *_edges(pairdistance=_percent(0.5), preset=("Balanced", "Best")),
     *_custom(pairdistance=_percent(0.5), scheduler=("Lazy", "Eager")),
     *_edges(pairdistance=_percent(0.5), maxerror=_percent(0.5)),  # refused

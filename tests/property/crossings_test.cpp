@@ -14,6 +14,7 @@
 #include "support/drawn_meshes.h"
 #include "support/expectations.h"
 #include "support/mesh_group.h"
+#include "support/properties.h"
 #include "support/rich_mesh.h"
 #include "support/soups.h"
 #include "vcg_ext/geometry/triangles_cross.h"
@@ -40,6 +41,30 @@ Shape bent_plates(double gap) {
     });
   };
   return side_by_side({bent(plane_grid(30), 0.0), bent(plane_grid(37), gap)});
+}
+
+/// In millimetres: two rings of a chain, each in the other one, that hang .3 mm apart.
+Shape chain() {
+  constexpr double radius = 6.0, thickness = 0.4 * radius, gap = 0.3, quarter = 0.5 * M_PI;
+  const Shape ring = scaled(torus(64, 28), radius);
+  constexpr double apart = 2.0 * radius - 2.0 * thickness - gap;
+  return side_by_side(
+      {ring, translated(rotated(ring, quarter, {1.0, 0.0, 0.0}), {apart, 0.0, 0.0})});
+}
+
+/// In millimetres: a ball, and a cup around its lower part with a wall of 1 mm, .3 mm apart.
+Shape ball_in_socket() {
+  constexpr double radius = 8.0, gap = 0.3, wall = 1.0;
+  const auto cup = [](double r) {
+    Shape sphere = rotated(scaled(icosphere(3), r), 0.3, {0.0, 1.0, 1.0});
+    const auto is_above = [&](const Corners& face) {
+      return corners_of(sphere, face)[0].z() > 0.5 * r;
+    };
+    sphere.faces.erase(std::remove_if(sphere.faces.begin(), sphere.faces.end(), is_above),
+                       sphere.faces.end());
+    return sphere;
+  };
+  return side_by_side({scaled(icosphere(3), radius), cup(radius + gap), cup(radius + gap + wall)});
 }
 
 /// Faces that cross others, by all pairs.
@@ -91,6 +116,39 @@ TEST(PreventIntersections, KeepsPlatesApart) {
     EXPECT_TRUE(crossing(decimated(plates, params).shape).empty());
     params.prevent_intersections = false;
     EXPECT_FALSE(crossing(decimated(plates, params).shape).empty());
+  }
+}
+
+/// No face even touches one of another part, so that the gap between them is more than none.
+TEST(PreventIntersections, KeepsPartsThatMoveApart) {
+  for (const Shape& parts : {chain(), ball_in_socket()}) {
+    ASSERT_TRUE(crossing(parts).empty());
+    for (Preset preset : presets) {
+      EdgeCollapseParams params = apart(parts.face_count() / 40, preset);
+      const Decimated kept = decimated(parts, params);
+      EXPECT_EQ(kept.report.stopped_by, StopReason::Target);
+      EXPECT_TRUE(crossing(kept.shape).empty());
+      params.prevent_intersections = false;
+      EXPECT_FALSE(crossing(decimated(parts, params).shape).empty());
+    }
+  }
+}
+
+/// The bound is wider than the gap, so that alone it would not keep them apart.
+TEST(PreventIntersections, HoldsTogetherWithABound) {
+  for (const auto& [shells, preset] :
+       {std::pair(hollow_sphere(3), Preset::Balanced), std::pair(hollow_sphere(3), Preset::Best),
+        std::pair(hollow_sphere(5), Preset::Fast)}) {
+    EdgeCollapseParams params = apart(0, preset);
+    params.max_error = 0.03;
+    const Decimated kept = decimated(shells, params);
+    EXPECT_EQ(kept.report.stopped_by, StopReason::ErrorBound);
+    EXPECT_GT(kept.report.max_error, 0.0);
+    EXPECT_LE(kept.report.max_error, params.max_error);
+    EXPECT_LE(two_sided_distance(shells, kept.shape), params.max_error);
+    EXPECT_TRUE(crossing(kept.shape).empty());
+    params.prevent_intersections = false;
+    EXPECT_FALSE(crossing(decimated(shells, params).shape).empty());
   }
 }
 
@@ -152,7 +210,9 @@ TEST(PreventIntersections, AddsNoPairWhereManyCross) {
       side_by_side({icosphere(3), translated(icosphere(3), {0.9, 0.1, 0.0}), torus(40, 20)});
   for (Preset preset : presets) {
     expect_no_new_pairs(balls, apart(balls.face_count() / 10, preset));
-    EXPECT_GT(decimated(balls, apart(balls.face_count() / 10, preset)).report.crossing, 0);
+    const Decimated kept = decimated(balls, apart(balls.face_count() / 10, preset));
+    EXPECT_GT(kept.report.crossing, 0);
+    EXPECT_EQ(kept.report.crossing, count_of_faces(crossing(kept.shape)));
   }
 }
 
