@@ -27,9 +27,9 @@ Shape inside_out(Shape shape) {
   return shape;
 }
 
-/// A wall: 2 % of the radius.
-Shape hollow_sphere(int subdivisions) {
-  const Shape inner = rotated(scaled(icosphere(subdivisions), 0.98), 0.3, {0.0, 0.0, 1.0});
+/// wall: of the radius, which is 1.
+Shape hollow_sphere(int subdivisions, double wall = 0.02) {
+  const Shape inner = rotated(scaled(icosphere(subdivisions), 1.0 - wall), 0.3, {0.0, 0.0, 1.0});
   return side_by_side({icosphere(subdivisions), inside_out(inner)});
 }
 
@@ -138,7 +138,8 @@ TEST(PreventIntersections, KeepsPartsThatMoveApart) {
 TEST(PreventIntersections, HoldsTogetherWithABound) {
   for (const auto& [shells, preset] :
        {std::pair(hollow_sphere(3), Preset::Balanced), std::pair(hollow_sphere(3), Preset::Best),
-        std::pair(hollow_sphere(5), Preset::Fast)}) {
+        std::pair(hollow_sphere(4), Preset::Fast),
+        std::pair(hollow_sphere(4, 0.002), Preset::Fast)}) {
     EdgeCollapseParams params = apart(0, preset);
     params.max_error = 0.03;
     const Decimated kept = decimated(shells, params);
@@ -162,10 +163,13 @@ TEST(PreventIntersections, HoldsForSpheresAndTheirRefinement) {
 
 /// A large mesh goes in passes first, which are done anew where they have made faces cross.
 TEST(PreventIntersections, HoldsAfterPasses) {
-  const Shape shells = hollow_sphere(5);
-  const Decimated kept = decimated(shells, apart(shells.face_count() / 30, Preset::Fast));
+  const Shape shells = hollow_sphere(5, 0.01);
+  EdgeCollapseParams params = apart(shells.face_count() / 30, Preset::Fast);
+  const Decimated kept = decimated(shells, params);
   EXPECT_EQ(kept.report.stopped_by, StopReason::Target);
   EXPECT_TRUE(crossing(kept.shape).empty());
+  params.prevent_intersections = false;
+  EXPECT_FALSE(crossing(decimated(shells, params).shape).empty());
 }
 
 TEST(PreventIntersections, GivesTheSameBitsOnAnyNumberOfThreads) {
