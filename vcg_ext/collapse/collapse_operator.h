@@ -147,9 +147,11 @@ class CollapseOperator {
   }
 
   /// The guards' answer, were the edge collapsed so. Leaves its neighbourhood in the scratch.
-  GuardAnswer ask(Edge edge, const Candidate& candidate, Scratch& scratch) const {
+  /// One that is dearer than `most` is of no use: whether faces would cross is not asked then.
+  GuardAnswer ask(Edge edge, const Candidate& candidate, Priority most, Scratch& scratch) const {
     const GuardAnswer answer = ask_around(edge, candidate, scratch);
     if (answer.refusal || answer.obstacle.exists() ||
+        most < priority(edge, candidate.cost + answer.price) ||
         guards_.keeps_apart(scratch.around, candidate.position, scratch.after, scratch.crossing))
       return answer;
     return {Rejection::Crossing};

@@ -203,7 +203,7 @@ class RoundSchedule {
         candidate && !(selection_.limit() < collapses_.priority(pick.edge, candidate->cost));
     if (!pick.ready) return;
     pick.candidate = *candidate;
-    pick.answer = rests_.ask(pick.edge, *candidate, scratch);
+    pick.answer = rests_.ask(pick.edge, *candidate, selection_.limit(), scratch);
     const Priority price = collapses_.priority(pick.edge, candidate->cost + pick.answer.price);
     const bool affordable = !pick.answer.refusal && !(selection_.limit() < price);
     pick.clears = affordable && pick.answer.obstacle.exists();
@@ -278,7 +278,7 @@ class RoundSchedule {
     const std::optional<Candidate> candidate =
         collapses_.exists(edge) ? collapses_.evaluate(edge) : std::nullopt;
     if (!candidate) return;
-    const GuardAnswer answer = collapses_.ask(edge, *candidate, scratch_[0]);
+    const GuardAnswer answer = collapses_.ask(edge, *candidate, {}, scratch_[0]);
     if (answer.refusal || !answer.obstacle.exists()) return;
     const std::vector<int> touched = collapses_.clear(edge, answer.obstacle, next_number_, tally);
     refused_[edge.a] = touched.empty();

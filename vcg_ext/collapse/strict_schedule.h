@@ -200,8 +200,9 @@ class StrictSchedule {
   /// An edge that was queued with a price was asked about before. It is asked again though its hub
   /// may rest: turned away unseen it would be queued with its price forever.
   GuardAnswer ask(Edge edge, const Candidate& candidate) {
-    return queue_.top_has_price() ? collapses_.ask(edge, candidate, scratch_)
-                                  : rests_.ask(edge, candidate, scratch_);
+    const Priority most = std::max(queue_.top_priority(), queue_.second_priority());
+    return queue_.top_has_price() ? collapses_.ask(edge, candidate, most, scratch_)
+                                  : rests_.ask(edge, candidate, most, scratch_);
   }
 
   /// True if the edge became costlier since it was queued, and is no longer the cheapest.

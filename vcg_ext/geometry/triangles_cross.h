@@ -174,10 +174,15 @@ inline Contact contact_of(const Triangle& first, const Triangle& second, double 
 
 /// True if the triangles have a point in common that is no corner or edge of both. Neighbours at an
 /// edge cross where one lies on the other, triangles with the same corners always do. To touch is
-/// to cross, and so is what rounding cannot tell from it.
-inline bool triangles_cross(const Triangle& first, const Triangle& second) {
-  return !are_clearly_apart(first, plane_through(first), second, plane_through(second)) &&
+/// to cross, and so is what rounding cannot tell from it. Each with its plane.
+inline bool triangles_cross(const Triangle& first, const OrientedPlane& of_first,
+                            const Triangle& second, const OrientedPlane& of_second) {
+  return !are_clearly_apart(first, of_first, second, of_second) &&
          contact_of(first, second, 0.0) != Contact::None;
+}
+
+inline bool triangles_cross(const Triangle& first, const Triangle& second) {
+  return triangles_cross(first, plane_through(first), second, plane_through(second));
 }
 
 /// True if one triangle clearly goes through the other, by more than this depth.

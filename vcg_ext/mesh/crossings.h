@@ -15,13 +15,6 @@ namespace curvdecim::detail {
 
 using FacePair = std::array<int, 2>;  ///< the lower number first
 
-/// Whether faces f and g, with these corners, cross: asked in one order, since where they touch the
-/// order may decide.
-inline bool faces_cross(int f, const Triangle& of_f, int g, const Triangle& of_g) {
-  const bool cross = f < g ? triangles_cross(of_f, of_g) : triangles_cross(of_g, of_f);
-  return cross && box_around(of_f).meets(box_around(of_g));
-}
-
 /// A face with its corners and its plane, to be compared with many others.
 struct PlacedFace {
   int face;
@@ -31,11 +24,18 @@ struct PlacedFace {
   PlacedFace(int its_face, const Triangle& its_triangle)
       : face(its_face), triangle(its_triangle), plane(plane_through(its_triangle)) {}
 
+  /// Asked in one order, since where they touch the order may decide.
   bool crosses(const PlacedFace& o) const {
-    return !are_clearly_apart(triangle, plane, o.triangle, o.plane) &&
-           faces_cross(face, triangle, o.face, o.triangle);
+    if (o.face < face) return o.crosses(*this);
+    return triangles_cross(triangle, plane, o.triangle, o.plane) &&
+           box_around(triangle).meets(box_around(o.triangle));
   }
 };
+
+/// Whether faces f and g, with these corners, cross.
+inline bool faces_cross(int f, const Triangle& of_f, int g, const Triangle& of_g) {
+  return PlacedFace(f, of_f).crosses(PlacedFace(g, of_g));
+}
 
 /// To find what crosses a face: most of what lies near it is not even looked at.
 template <class Surface>
