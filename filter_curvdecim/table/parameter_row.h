@@ -97,8 +97,8 @@ ParameterRow<Params> assemblies(ParameterRow<Params> row) {
 }
 
 template <class Params>
-ParameterRow<Params> also_for(std::vector<Audience> others, ParameterRow<Params> row) {
-  row.place.also_for = std::move(others);
+ParameterRow<Params> also_for(const std::vector<Audience>& others, ParameterRow<Params> row) {
+  row.place.also_for = others;
   return row;
 }
 
