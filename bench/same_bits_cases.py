@@ -134,6 +134,8 @@ CASES = (
     *_edges(preservetopology=False, preset=_PRESETS, targetperc=0.05),
     *_edges(joinborders=_SWITCH, preservetopology=_SWITCH),
     *_edges(attributeweight=(0.0, 1.0)),
+    *_edges(preventintersections=True, preset=_PRESETS),
+    *_edges(preventintersections=True, targetfacenum=0, targetperc=0.0, maxerror=_percent(0.5)),
     *_edges(pairdistance=_percent(0.5), preset=("Balanced", "Best")),
     *_custom(pairdistance=_percent(0.5), scheduler=("Lazy", "Eager")),
     *_edges(pairdistance=_percent(0.5), maxerror=_percent(0.5)),  # refused
@@ -149,6 +151,7 @@ CASES = (
     *_spheres(adaptivekernel=False),
     *_spheres(preservetopology=False, targetperc=0.05),
     *_spheres(attributeweight=1.0),
+    *_spheres(preventintersections=True, refinesweeps=(0, 2)),
     *_with_attributes(_spheres, placement=("Free3D", "OnSphereAlongEdge")),
     *_stepwise(_removal),
     *_removal(criterion=("Heap", "Passes"), preservefeatures=_SWITCH),

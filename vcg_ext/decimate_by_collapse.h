@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <utility>
 
@@ -8,6 +9,7 @@
 #include "vcg_ext/host_mesh/read_carried.h"
 #include "vcg_ext/host_mesh/read_mesh.h"
 #include "vcg_ext/host_mesh/write_back.h"
+#include "vcg_ext/mesh/crossings.h"
 #include "vcg_ext/passes/collapse_in_passes.h"
 #include "vcg_ext/refine/refine.h"
 #include "vcg_ext/run/conclude.h"
@@ -45,6 +47,13 @@ inline std::optional<SurfaceBound> bound_of(const WorkingMesh& mesh, const Colla
                                      limits.max_error_one_sided, parallel);
 }
 
+/// Counts the faces that cross others.
+inline void report_crossings(const WorkingMesh& result, const Run<DecimationReport>& run) {
+  const auto pairs = crossing_pairs(result, result.connectivity.face_slots(), run.parallel);
+  run.report.crossing = static_cast<std::int64_t>(faces_of(pairs).size());
+  note_crossings(run.report);
+}
+
 /// The one way of every edge collapse: read, plan, collapse, refine, write. Nothing of the host's
 /// mesh changes before the last step. Params: what plan_collapse takes. with_metric(mesh, plan,
 /// use) calls use(metric) and returns what it returns. Throws InputError.
@@ -70,6 +79,7 @@ DecimationReport decimate_by_collapse(MeshType& mesh, const Params& params,
       return collapse(copy.mesh, metric, *plan, carried, or_none, run.parallel);
     });
     refine(copy.mesh, std::move(input), *plan, or_none, carried, run.parallel, tally);
+    if (plan->limits.prevents_crossings) report_crossings(copy.mesh, run);
     write_back(mesh, copy, carried, std::move(traced), run.parallel, run.report);
     conclude(tally, *plan, copy.mesh, copy.box.diagonal, run.report);
   });

@@ -130,6 +130,8 @@ struct DecimationParams : CommonParams {
   double attribute_weight = 0.01;    ///< of texture and colours against the error of the surface
   double feature_angle = 60.0;       ///< dihedral angle from which an edge is sharp; 180: none is
   KeepBordersOf keep_borders_of = KeepBordersOf::Nothing;  ///< beside those of textures
+  /// No face crosses another that it did not cross before.
+  bool prevent_intersections = false;
 
   static constexpr auto fields() {
     using P = DecimationParams;
@@ -146,7 +148,8 @@ struct DecimationParams : CommonParams {
                    Field("join_borders", &P::join_borders),
                    Field("attribute_weight", &P::attribute_weight, at_least(0.0)),
                    Field("feature_angle", &P::feature_angle, between(0.0, 180.0, "degrees")),
-                   Field("keep_borders_of", &P::keep_borders_of)));
+                   Field("keep_borders_of", &P::keep_borders_of),
+                   Field("prevent_intersections", &P::prevent_intersections)));
   }
 };
 
@@ -252,7 +255,8 @@ enum class RemovalCriterion {
 };
 constexpr auto labels(RemovalCriterion) { return std::array{"Heap", "Passes"}; }
 
-/// Topology is kept always and nothing moves: preserve_topology and attribute_weight do not count.
+/// Topology is kept always and nothing moves: preserve_topology, prevent_intersections and
+/// attribute_weight do not count.
 /// boundary_weight is a factor on distances to boundary and feature lines; without
 /// preserve_boundary those to boundaries count 0.
 struct VertexRemovalParams : DecimationParams {

@@ -31,14 +31,16 @@ enum class Rejection {
   TextureFlip,  ///< a face would be turned over in the texture
   VertexClass,  ///< a complex vertex, or a corner
   LoopSplit,    ///< no line parts the loop around the vertex
+  Crossing,     ///< a face would cross another that it does not cross now
 };
 constexpr auto labels(Rejection) {
-  return std::array{"link_condition", "normal_flip",  "triangle_shape", "error_bound",
-                    "hub_at_rest",    "texture_flip", "vertex_class",   "loop_split"};
+  return std::array{"link_condition", "normal_flip", "triangle_shape",
+                    "error_bound",    "hub_at_rest", "texture_flip",
+                    "vertex_class",   "loop_split",  "crossing"};
 }
 
 static_assert(labels(StopReason()).size() == static_cast<std::size_t>(StopReason::Cancelled) + 1);
-static_assert(labels(Rejection()).size() == static_cast<std::size_t>(Rejection::LoopSplit) + 1);
+static_assert(labels(Rejection()).size() == static_cast<std::size_t>(Rejection::Crossing) + 1);
 
 /// How often each reason stood against a step, by Rejection.
 struct Rejections {
@@ -65,6 +67,9 @@ struct DecimationReport {
   std::int64_t handles_cut = 0;       ///< handles, tunnels and necks
   std::int64_t junctions_parted = 0;  ///< vertices where sheets met that came apart
   double largest_removed = 0.0;       ///< diameter of the largest of these when it went
+  /// Faces that cross or touch others beside their neighbours, as they did in the input; with
+  /// prevent_intersections.
+  std::int64_t crossing = 0;
   double seconds = 0.0;
   std::vector<std::string> notes;  ///< repairs, warnings and the reason of the stop, for the log
 };

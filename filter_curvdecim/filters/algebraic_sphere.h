@@ -41,8 +41,8 @@ struct AlgebraicSphereFilter {
   }
 
   static ParameterRows<Params> parameters() {
-    return joined<ParameterRow<Params>>({target_rows<Params>(),
-                                         {sweeps_row()},
+    return joined<ParameterRow<Params>>({collapse_target_rows<Params>(),
+                                         {also_for_assemblies(sweeps_row())},
                                          common_rows<Params>(),
                                          for_papers(kernel_rows()),
                                          for_papers<Params>({energy_row(), placement_row()}),

@@ -66,6 +66,17 @@ ResultRows<R, P> topology_results() {
                                           &R::largest_removed))};
 }
 
+/// What the detector counts where faces may not cross.
+template <class R, class P>
+ResultRow<R, P> crossing_result() {
+  const auto is_asked = [](const R&, const P& params) { return params.prevent_intersections; };
+  return only_if(is_asked, result<R, P>("crossing", "faces",
+                                        "those of the result that cross or touch others beside "
+                                        "their neighbours, as they did in the input; only with "
+                                        "`PreventIntersections`",
+                                        &R::crossing));
+}
+
 template <class R, class P>
 ResultRow<R, P> cost_last_result(const std::string& meaning) {
   return result<R, P>("cost_last", "for a mesh of diagonal 1", meaning, &R::cost_last);
@@ -85,6 +96,7 @@ inline const char* meaning_of(Rejection reason) {
              "become larger there";
     case Rejection::VertexClass: return "refused because the vertex is complex, or a corner";
     case Rejection::LoopSplit: return "refused because no line parts the loop around the vertex";
+    case Rejection::Crossing: return "refused because a face would have crossed another one";
   }
   return "";
 }
@@ -109,10 +121,11 @@ ResultRow<R, P> seconds_result() {
 template <class R, class P>
 ResultRows<R, P> collapse_results() {
   return joined<ResultRow<R, P>>(
-      {{cost_last_result<R, P>("the cost of the last collapse")},
+      {{crossing_result<R, P>(), cost_last_result<R, P>("the cost of the last collapse")},
        rejection_results<R, P>(
            "collapses", {Rejection::LinkCondition, Rejection::NormalFlip, Rejection::TriangleShape,
-                         Rejection::ErrorBound, Rejection::HubAtRest, Rejection::TextureFlip}),
+                         Rejection::ErrorBound, Rejection::HubAtRest, Rejection::TextureFlip,
+                         Rejection::Crossing}),
        {seconds_result<R, P>()}});
 }
 

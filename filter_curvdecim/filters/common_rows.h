@@ -57,11 +57,27 @@ ParameterRow<P> max_error_row() {
        "No point of either surface is further from the other. 0: no bound."});
 }
 
+template <class P>
+ParameterRow<P> max_error_one_sided_row() {
+  return row<P>(
+      &P::max_error_one_sided, "MaxErrorOneSided", "Maximum error on one side only",
+      {"<i>Maximum error</i> counts from the result to the original only: what is left is near the "
+       "original, but parts of the original, a corner or the rim of a border, may be further from "
+       "what is left.",
+       "From the result to the original, not back."});
+}
+
 /// The targets of a decimation step by step.
 template <class P>
 ParameterRows<P> target_rows() {
-  return {also_for_papers(target_faces_row<P>()), target_fraction_row<P>(),
-          tuning(target_vertices_row<P>()), max_error_row<P>()};
+  return {for_all(target_faces_row<P>()), also_for_assemblies(target_fraction_row<P>()),
+          tuning(target_vertices_row<P>()), also_for_assemblies(max_error_row<P>())};
+}
+
+/// The same for collapses.
+template <class P>
+ParameterRows<P> collapse_target_rows() {
+  return joined<ParameterRow<P>>({target_rows<P>(), {assemblies(max_error_one_sided_row<P>())}});
 }
 
 template <class P>
@@ -151,6 +167,18 @@ ParameterRow<P> keep_borders_of_row() {
 }
 
 template <class P>
+ParameterRow<P> prevent_intersections_row() {
+  return row<P>(
+      &P::prevent_intersections, "PreventIntersections", "Prevent intersections",
+      {"No face crosses or touches another that it did not before, so that parts with a narrow gap "
+       "between them, and shells inside each other, stay apart. Faces that cross already stay "
+       "about "
+       "as small as they are, and the result may have more faces than the target. The log says how "
+       "many cross.",
+       "Faces that do not cross will not; may stop above the target."});
+}
+
+template <class P>
 ParameterRow<P> keep_map_row() {
   return row<P>(
       &P::keep_map, "KeepMap", "Map to the original vertices",
@@ -166,7 +194,7 @@ ParameterRow<P> keep_map_row() {
 template <class P>
 ParameterRows<P> collapse_guard_rows() {
   return {
-      preserve_boundary_row<P>(),
+      also_for_assemblies(preserve_boundary_row<P>()),
       tuning(boundary_weight_row<P>()),
       tuning(preserve_normal_row<P>(
           {"A step that turns a face by more than <i>Largest turn of a face</i> costs by the "
@@ -177,10 +205,11 @@ ParameterRows<P> collapse_guard_rows() {
           {"Used with <i>Preserve normal</i>. Less keeps the orientation of faces closer; above "
            "90 faces may flip.",
            "Less keeps faces closer; above 90 they may flip."})),
-      preserve_topology_row<P>(),
-      tuning(join_borders_row<P>()),
-      paper(attribute_weight_row<P>()),
-      tuning(keep_borders_of_row<P>())};
+      also_for_assemblies(preserve_topology_row<P>()),
+      also_for_assemblies(tuning(join_borders_row<P>())),
+      also_for_assemblies(paper(attribute_weight_row<P>())),
+      also_for_assemblies(tuning(keep_borders_of_row<P>())),
+      assemblies(prevent_intersections_row<P>())};
 }
 
 template <class P>
@@ -219,15 +248,16 @@ ParameterRow<P> threads_row() {
 /// What every edge collapse asks beside its targets and its own parameters.
 template <class P>
 ParameterRows<P> common_rows() {
-  return {selected_row<P>(), tuning(quality_weight_row<P>()), paper(keep_map_row<P>()),
-          tuning(threads_row<P>())};
+  return {also_for_assemblies(selected_row<P>()), tuning(quality_weight_row<P>()),
+          paper(keep_map_row<P>()), tuning(threads_row<P>())};
 }
 
 /// What an edge collapse is to keep, under a heading of its own.
 template <class P>
 ParameterRows<P> keep_rows() {
-  return under<P>("Keep", joined<ParameterRow<P>>(
-                              {collapse_guard_rows<P>(), {tuning(feature_angle_row<P>())}}));
+  return under<P>("Keep",
+                  joined<ParameterRow<P>>({collapse_guard_rows<P>(),
+                                           {also_for_assemblies(tuning(feature_angle_row<P>()))}}));
 }
 
 }  // namespace curvdecim::glue

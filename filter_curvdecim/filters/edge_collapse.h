@@ -38,17 +38,16 @@ struct EdgeCollapseFilter {
   }
 
   static ParameterRows<Params> parameters() {
-    return joined<ParameterRow<Params>>(
-        {target_rows<Params>(),
-         {also_for_papers(preset_row()), curvature_floor_row<Params>()},
-         common_rows<Params>(),
-         for_papers<Params>({metric_row()}),
-         for_papers(alpha_rows<Params>()),
-         for_papers(additive_rows()),
-         for_papers(custom_quadric_rows()),
-         for_papers(custom_run_rows()),
-         for_papers<Params>({pair_distance_row()}),
-         keep_rows<Params>()});
+    return joined<ParameterRow<Params>>({collapse_target_rows<Params>(),
+                                         {for_all(preset_row()), curvature_floor_row<Params>()},
+                                         common_rows<Params>(),
+                                         for_papers<Params>({metric_row()}),
+                                         for_papers(alpha_rows<Params>()),
+                                         for_papers(additive_rows()),
+                                         for_papers(custom_quadric_rows()),
+                                         for_papers(custom_run_rows()),
+                                         for_papers<Params>({pair_distance_row()}),
+                                         keep_rows<Params>()});
   }
 
   static ResultRows<Report, Params> results() {

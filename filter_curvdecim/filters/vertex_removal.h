@@ -105,7 +105,7 @@ struct VertexRemovalFilter {
         "Vertices go one by one, those nearest to the surface that is left first, and the holes "
         "are filled with triangles. Those that stay keep all that they carry, to the bit. A "
         "manifold stays one. Edge collapse moves vertices and has a lower error.",
-        {"preserve_topology", "attribute_weight"}};
+        {"preserve_topology", "attribute_weight", "prevent_intersections", "max_error_one_sided"}};
   }
 
   static ParameterRows<Params> parameters() {
@@ -135,8 +135,8 @@ struct VertexRemovalFilter {
         &Params::distance_bound, "DistanceBound", "Accumulated distance",
         {"The distances between old and new faces add up at the vertices around. A vertex stays "
          "whose removal would bring the sum above this. No point of the result is then further "
-         "from the original surface, nor the other way round: the same promise as <i>Maximum "
-         "error</i>, the smaller of both counts. 0: none.",
+         "from the original surface, nor the other way round. <i>Maximum error</i> promises that, "
+         "too, by distances that are measured, and leaves fewer faces. 0: none.",
          "No sum of distances is larger, and so no error. 0: no bound."});
   }
 

@@ -16,8 +16,8 @@ struct FlatDialog {
   std::vector<Parameter> parameters;
 };
 
-/// One dialog, or two where one would be too high for a screen: one for daily use, and one with
-/// what repeats a paper.
+/// One dialog, or three where one would be too high for a screen: one for daily use, one with what
+/// repeats a paper, and one with what keeps the parts of an assembly apart.
 std::vector<FlatDialog> flat_dialogs(const FilterTable& filter);
 
 }  // namespace curvdecim::glue

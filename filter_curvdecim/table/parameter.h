@@ -57,15 +57,16 @@ struct ParameterText {
 /// Who needs a parameter.
 enum class Audience {
   Everyone,
-  Tuning,  ///< those who tune: in a dialog that unfolds, on demand
-  Papers,  ///< those who repeat a paper, or go on with the result in scripts: the same
+  Tuning,      ///< those who tune: in a dialog that unfolds, on demand
+  Papers,      ///< those who repeat a paper, or go on with the result in scripts: the same
+  Assemblies,  ///< those whose mesh is of parts that lie close to each other: the same
 };
 
 /// Where a dialog shows a parameter.
 struct Place {
   std::string heading = {};  ///< bold, above it; dialogs sort by it, after what has none
   Audience audience = Audience::Everyone;
-  bool opens_papers = false;  ///< needed with what is for papers, too
+  std::vector<Audience> also_for = {};  ///< others who need it beside their own, in flat dialogs
 };
 
 struct Parameter {

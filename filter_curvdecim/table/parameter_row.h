@@ -91,9 +91,26 @@ ParameterRows<Params> for_papers(ParameterRows<Params> rows) {
 }
 
 template <class Params>
-ParameterRow<Params> also_for_papers(ParameterRow<Params> row) {
-  row.place.opens_papers = true;
+ParameterRow<Params> assemblies(ParameterRow<Params> row) {
+  row.place.audience = Audience::Assemblies;
   return row;
+}
+
+template <class Params>
+ParameterRow<Params> also_for(const std::vector<Audience>& others, ParameterRow<Params> row) {
+  row.place.also_for = others;
+  return row;
+}
+
+template <class Params>
+ParameterRow<Params> also_for_assemblies(ParameterRow<Params> row) {
+  return also_for({Audience::Assemblies}, std::move(row));
+}
+
+/// What a flat dialog starts with, whoever it is for.
+template <class Params>
+ParameterRow<Params> for_all(ParameterRow<Params> row) {
+  return also_for({Audience::Papers, Audience::Assemblies}, std::move(row));
 }
 
 template <class Enum>

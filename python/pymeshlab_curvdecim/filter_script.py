@@ -26,8 +26,8 @@ def filter_script(filter_name, /, meshlab="2020.09", **given):
 
     The others have their default; a default that depends on the mesh is left to MeshLab, or is
     that of a mesh without a selection. MeshLab and meshlabserver 2020.09 have filters of their own
-    for the settings of papers, and a script for them cannot mix both; name another version of
-    MeshLab for a script that it shall run.
+    for the settings of papers and for assemblies, and a script for them cannot mix these; name
+    another version of MeshLab for a script that it shall run.
     """
     description = read_filters()[filter_name]
     values = description.checked(given)

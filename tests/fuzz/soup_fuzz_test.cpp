@@ -34,6 +34,7 @@ EdgeCollapseParams random_params(Dice& dice) {
   p.preserve_boundary = dice.coin();
   p.threads = dice.any({1, 2});
   p.refine_sweeps = dice.any({0, 3});
+  p.prevent_intersections = dice.coin();
   return p;
 }
 

@@ -163,14 +163,40 @@ TYPED_TEST(ParameterTable, FlatDialogsAreLowAndHaveEveryParameter) {
   EXPECT_EQ(names, all);
 }
 
-TEST(FlatDialogs, OfPapersHaveTheTargetAndThePreset) {
+bool asks_for(const FlatDialog& dialog, const std::string& name) {
+  return std::any_of(dialog.parameters.begin(), dialog.parameters.end(),
+                     [&](const Parameter& each) { return each.name == name; });
+}
+
+TEST(FlatDialogs, AllHaveTheTargetAndThePreset) {
   const std::vector<FlatDialog> dialogs = flat_dialogs(table_of<EdgeCollapseFilter>());
-  ASSERT_EQ(dialogs.size(), 2u);
+  ASSERT_EQ(dialogs.size(), 3u);
   for (const char* name : {"TargetFaceNum", "Preset"})
     for (const FlatDialog& dialog : dialogs)
-      EXPECT_TRUE(std::any_of(dialog.parameters.begin(), dialog.parameters.end(),
-                              [&](const Parameter& each) { return each.name == name; }))
-          << dialog.menu_name;
+      EXPECT_TRUE(asks_for(dialog, name)) << dialog.menu_name;
+}
+
+/// A dialog that has no parameter of its own has no use.
+TYPED_TEST(ParameterTable, EveryFlatDialogHasAParameterOfItsOwn) {
+  std::map<std::string, int> dialogs_with;
+  const std::vector<FlatDialog> dialogs = flat_dialogs(table_of<TypeParam>());
+  for (const FlatDialog& dialog : dialogs)
+    for (const Parameter& each : dialog.parameters) ++dialogs_with[each.name];
+  for (const FlatDialog& dialog : dialogs)
+    EXPECT_TRUE(std::any_of(dialog.parameters.begin(), dialog.parameters.end(),
+                            [&](const Parameter& each) { return dialogs_with[each.name] == 1; }))
+        << dialog.menu_name;
+}
+
+/// With all that parts, shells and their materials may need at the same time.
+TEST(FlatDialogs, OfAssembliesKeepPartsApart) {
+  for (const FilterTable& table :
+       {table_of<EdgeCollapseFilter>(), table_of<AlgebraicSphereFilter>()}) {
+    const FlatDialog assemblies = flat_dialogs(table).back();
+    for (const char* name : {"PreventIntersections", "TargetPerc", "MaxError", "Selected",
+                             "PreserveTopology", "JoinBorders", "KeepBordersOf"})
+      EXPECT_TRUE(asks_for(assemblies, name)) << name;
+  }
 }
 
 /// MeshLab 2020.09 gives a text that it breaks itself less height than it takes, but for two lines.

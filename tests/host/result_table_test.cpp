@@ -51,6 +51,7 @@ const Names collapse_end = {"cost_last",
                             "rejected_error_bound",
                             "rejected_hub_at_rest",
                             "rejected_texture_flip",
+                            "rejected_crossing",
                             "seconds"};
 
 TEST(ResultTable, EdgeCollapseTellsItsBoundAndPairsWhereAsked) {
@@ -63,6 +64,13 @@ TEST(ResultTable, EdgeCollapseTellsItsBoundAndPairsWhereAsked) {
   params.pair_distance = 0.1;
   EXPECT_EQ(names_after<EdgeCollapseFilter>({}, params),
             counts + Names{"pairs_contracted"} + topology + collapse_end);
+}
+
+TEST(ResultTable, EdgeCollapseTellsWhatCrossesWhereAsked) {
+  EdgeCollapseParams params;
+  params.prevent_intersections = true;
+  EXPECT_EQ(names_after<EdgeCollapseFilter>({}, params),
+            counts + topology + Names{"crossing"} + collapse_end);
 }
 
 TEST(ResultTable, AlgebraicSphereTellsItsBoundWhereAsked) {

@@ -35,24 +35,25 @@ def written(script, directory):
 
 
 @pytest.mark.parametrize(
-    ("name", "paper"),
+    ("name", "options"),
     [
         (DECIMATE, {}),
         (DECIMATE, {"metric": "CurvatureAdditive"}),
+        (DECIMATE, {"preventintersections": True}),
         (SPHERES, {}),
         (SPHERES, {"adaptivekernel": False}),
         (REMOVE, {}),
         (REMOVE, {"aspectratiomin": 0.1}),
     ],
 )
-def test_decimation_agrees_with_pymeshlab(meshlab, cow, tmp_path, name, paper):
-    script = written(filter_script(name, targetfacenum=TARGET, **paper), tmp_path)
+def test_decimation_agrees_with_pymeshlab(meshlab, cow, tmp_path, name, options):
+    script = written(filter_script(name, targetfacenum=TARGET, **options), tmp_path)
     run = meshlab.serve(cow, script, tmp_path / "out.ply")
     assert run.returncode == 0, run.stdout
     assert "\nfaces: 1160\n" in run.stdout
 
     original, ours = surface(read(cow)), read(cow)
-    ours.apply_filter(name, targetfacenum=TARGET, **paper)
+    ours.apply_filter(name, targetfacenum=TARGET, **options)
     served = surface(read(tmp_path / "out.ply"))
     assert len(served.faces) == ours.current_mesh().face_number() == TARGET
     assert topology(served) == topology(original)

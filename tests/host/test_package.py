@@ -193,6 +193,14 @@ def test_script_for_2020_has_a_filter_for_daily_use_and_one_for_papers():
     assert "PreserveTopology" not in parameters
 
 
+def test_script_for_2020_keeps_parts_apart_by_a_filter_for_assemblies():
+    given = {"preventintersections": True, "preservetopology": True, "maxerror": 0.1}
+    name, parameters = menu_name_and_parameters(filter_script(DECIMATE, **given))
+    assert name.endswith(" (Assemblies)")
+    assert {"PreventIntersections", "TargetPerc", "JoinBorders"} <= parameters
+    assert "Lambda" not in parameters
+
+
 def test_script_for_2020_cannot_mix_them():
     with pytest.raises(ValueError, match=r"lacks lambda_;.*Paper Settings.*lacks preservetopology"):
         filter_script(DECIMATE, lambda_=0.1, preservetopology=True)

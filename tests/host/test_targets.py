@@ -26,6 +26,7 @@ REJECTED = {
         "error_bound",
         "hub_at_rest",
         "texture_flip",
+        "crossing",
     )
 }
 

@@ -53,6 +53,8 @@ std::vector<Call> collapses() {
   calls.push_back(collapse("Additive", params));
   params = {}, params.curvature_of = CurvatureOf::Current;
   calls.push_back(collapse("CurrentCurvature", params));
+  params = {}, params.prevent_intersections = true, params.preset = Preset::Best;
+  calls.push_back(collapse("PreventIntersections", params));
   params = {}, params.pair_distance = 0.02;
   calls.push_back(collapse("PairDistance", params));
   params = {}, params.max_error = 0.01;

@@ -16,7 +16,7 @@ namespace {
 /// All that an edge collapse, and a vertex removal, may be refused for.
 constexpr Rejection of_collapse[] = {Rejection::LinkCondition, Rejection::NormalFlip,
                                      Rejection::TriangleShape, Rejection::ErrorBound,
-                                     Rejection::HubAtRest};
+                                     Rejection::HubAtRest,     Rejection::Crossing};
 constexpr Rejection of_removal[] = {Rejection::LinkCondition, Rejection::NormalFlip,
                                     Rejection::TriangleShape, Rejection::ErrorBound,
                                     Rejection::VertexClass,   Rejection::LoopSplit};

@@ -24,7 +24,8 @@ struct Asked {
 
   explicit Asked(const Shape& shape, bool one_sided = false)
       : mesh(working_mesh(shape)), bound(mesh, limit, one_sided, Parallel(1)) {
-    EXPECT_LE(bound.begin(mesh, mesh.connectivity.face_slots(), Parallel(1)).value(), 1e-8);
+    EXPECT_TRUE(bound.begin(mesh, mesh.connectivity.face_slots(), Parallel(1)));
+    EXPECT_LE(bound.at_start(), 1e-8);
   }
 
   EdgeNeighborhood around(Edge edge) const {
@@ -137,6 +138,10 @@ TEST(SurfaceBound, TellsWhichFacesHaveMovedTooFar) {
   EXPECT_EQ(asked.bound.reached(asked.mesh, Parallel(2)).too_far.size(), moved.size());
 }
 
+bool begins(SurfaceBound& bound, const WorkingMesh& mesh) {
+  return bound.begin(mesh, mesh.connectivity.face_slots(), Parallel(1));
+}
+
 TEST(SurfaceBound, BeginsWithNothingThatIsTooFar) {
   const WorkingMesh input = working_mesh(plane_grid(cells));
   SurfaceBound bound(input, limit, false, Parallel(1));
@@ -144,13 +149,23 @@ TEST(SurfaceBound, BeginsWithNothingThatIsTooFar) {
   const WorkingMesh far = working_mesh(translated(plane_grid(2), {0, 0, 1.001 * limit}));
   const WorkingMesh part = working_mesh(scaled(plane_grid(2), 0.9));
   for (const WorkingMesh* mesh : {&far, &part}) {
-    EXPECT_FALSE(bound.begin(*mesh, mesh->connectivity.face_slots(), Parallel(1)).has_value());
+    EXPECT_TRUE(begins(bound, near));
+    EXPECT_NEAR(bound.at_start(), just_inside, 1e-8);
+    EXPECT_FALSE(begins(bound, *mesh));
     EXPECT_FALSE(bound.has_begun());
   }
-  const auto distance = bound.begin(near, near.connectivity.face_slots(), Parallel(1));
-  ASSERT_TRUE(distance.has_value());
-  EXPECT_NEAR(*distance, just_inside, 1e-8);
-  EXPECT_TRUE(bound.has_begun());
+}
+
+/// What was collapsed may be taken back: then there is nothing to ask about.
+TEST(SurfaceBound, CanBeStopped) {
+  const WorkingMesh input = working_mesh(plane_grid(cells));
+  SurfaceBound bound(input, limit, false, Parallel(1));
+  ASSERT_TRUE(begins(bound, working_mesh(translated(plane_grid(2), {0, 0, just_inside}))));
+  bound.stop();
+  EXPECT_FALSE(bound.has_begun());
+  EXPECT_EQ(bound.at_start(), 0.0);
+  EXPECT_TRUE(begins(bound, input));
+  EXPECT_LE(bound.at_start(), 1e-8);
 }
 
 TEST(SurfaceBound, ThatSamplesHoldNeedNotHoldAllOver) {

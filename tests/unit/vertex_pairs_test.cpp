@@ -183,7 +183,7 @@ std::vector<int> mates_after_a_collapse(bool locked) {
   collapses.add_pairs(VertexPairs(mesh, 0.06, Parallel(1)));
   CollapseOperator<QuadricMetric>::Scratch scratch;
   const Candidate candidate{0.0, mesh.position[12], 0.0};
-  collapses.ask({12, 13}, candidate, scratch);
+  collapses.ask({12, 13}, candidate, {}, scratch);
   collapses.collapse(candidate, 0.0, 0, scratch);
   VertexRing ring;
   collapses.gather_mates(12, ring);

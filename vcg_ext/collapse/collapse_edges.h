@@ -18,9 +18,9 @@ void begin_measuring(SurfaceBound& bound, const WorkingMesh& mesh,
   if (!bound.has_begun()) {
     const Renumbering without_gaps(mesh.connectivity);
     collapses.renumber(without_gaps), rests.renumber(without_gaps);
-    const auto distance = bound.begin(mesh, mesh.connectivity.face_slots(), parallel);
-    if (!distance) return collapses.bound().rely_on_sums();
-    tally.note_error(*distance);
+    if (!bound.begin(mesh, mesh.connectivity.face_slots(), parallel))
+      return collapses.bound().rely_on_sums();
+    tally.note_error(bound.at_start());
   }
   collapses.bound().measure_with(bound);
 }
@@ -41,6 +41,7 @@ void collapse_edges(WorkingMesh& mesh, MetricType& metric, const CollapsePlan& p
                     const Parallel& parallel, Tally& tally) {
   CollapseOperator<MetricType> collapses(mesh, metric, plan.limits, {mesh, plan.cost_unit},
                                          std::move(observers));
+  if (plan.limits.prevents_crossings) collapses.prevent_crossings(parallel);
   HubRests<MetricType> rests(mesh, collapses);
   const double share = bound && bound->has_begun() ? 0.0 : plan.schedule.round_share;
   if (share > 0.0)

@@ -39,6 +39,7 @@ class CollapseOperator {
     VertexRing ring;             // of the vertex last chosen for
     std::vector<EdgeChoice> options;
     std::vector<FacePlane> after;  // of the star, were the edge asked about last collapsed
+    CrossingGuard::Star crossing;  // the same, where faces may not cross
   };
 
   CollapseOperator(WorkingMesh& mesh, MetricType& metric, const CollapseLimits& limits,
@@ -64,6 +65,17 @@ class CollapseOperator {
   void add_pairs(VertexPairs pairs) { pairs_ = std::move(pairs); }
 
   bool has_pairs() const { return pairs_.active(); }
+
+  /// From now on every collapse is to be told of by update_around().
+  void prevent_crossings(const Parallel& parallel) { guards_.prevent_crossings(parallel); }
+
+  /// nullptr: faces may cross.
+  const CrossingGuard* crossing_guard() const { return guards_.crossing_guard(); }
+
+  /// Where faces may not cross: v has other faces now. Not while questions are asked.
+  void update_around(int v) {
+    if (CrossingGuard* guard = guards_.crossing_guard()) guard->update_around(v);
+  }
 
   /// An edge of more faces is no candidate.
   void set_most_faces(int faces) { most_faces_ = faces; }
@@ -148,7 +160,18 @@ class CollapseOperator {
   }
 
   /// The guards' answer, were the edge collapsed so. Leaves its neighbourhood in the scratch.
-  GuardAnswer ask(Edge edge, const Candidate& candidate, Scratch& scratch) const {
+  /// One that is dearer than `most` is of no use: whether faces would cross is not asked then.
+  GuardAnswer ask(Edge edge, const Candidate& candidate, Priority most, Scratch& scratch) const {
+    const GuardAnswer answer = ask_around(edge, candidate, scratch);
+    if (answer.refusal || answer.obstacle.exists() ||
+        most < priority(edge, candidate.cost + answer.price) ||
+        guards_.keeps_apart(scratch.around, candidate.position, scratch.after, scratch.crossing))
+      return answer;
+    return {Rejection::Crossing};
+  }
+
+  /// The same without a look at what lies beyond the neighbourhood.
+  GuardAnswer ask_around(Edge edge, const Candidate& candidate, Scratch& scratch) const {
     scratch.around.gather(mesh_.connectivity, edge);
     GuardAnswer answer = guards_.ask(scratch.around, candidate.position, scratch.after);
     if (!answer.refusal && attribute_guard_) ask_attributes(edge, candidate, scratch, answer);

@@ -25,12 +25,13 @@ class HubRests {
   HubRests(const WorkingMesh& mesh, const Operator& collapses)
       : mesh_(mesh), collapses_(collapses), left_(mesh.connectivity.vertex_slots(), 0) {}
 
-  /// The guards' answer. Leaves the edge's neighbourhood in the scratch, but for HubAtRest.
-  GuardAnswer ask(Edge edge, const Candidate& candidate, Scratch& scratch) {
+  /// The guards' answer, as CollapseOperator::ask gives it. Leaves the edge's neighbourhood in the
+  /// scratch, but for HubAtRest.
+  GuardAnswer ask(Edge edge, const Candidate& candidate, Priority most, Scratch& scratch) {
     const int busier = collapses_.valence(edge.a) > collapses_.valence(edge.b) ? edge.a : edge.b;
     const bool is_hub = collapses_.is_hub(busier);
     if (is_hub && passes_over(busier)) return {Rejection::HubAtRest};
-    const GuardAnswer answer = collapses_.ask(edge, candidate, scratch);
+    const GuardAnswer answer = collapses_.ask(edge, candidate, most, scratch);
     if (is_hub && (answer.refusal || answer.price > 0.0)) send_to_rest(busier);
     return answer;
   }
@@ -54,7 +55,7 @@ class HubRests {
       if (best < option) break;
       const Edge edge{v, option.partner};
       const auto candidate = collapses_.evaluate(edge);
-      const GuardAnswer answer = ask(edge, *candidate, scratch);
+      const GuardAnswer answer = ask(edge, *candidate, best.priority, scratch);
       if (!answer.refusal)
         best = std::min(best, {collapses_.priority(edge, candidate->cost + answer.price),
                                option.partner, answer.price > 0.0});

@@ -8,6 +8,7 @@
 
 #include "vcg_ext/collapse/collapse_operator.h"
 #include "vcg_ext/collapse/hub_rests.h"
+#include "vcg_ext/collapse/round_crossings.h"
 #include "vcg_ext/collapse/round_selection.h"
 #include "vcg_ext/mesh/tally.h"
 #include "vcg_ext/parallel/parallel.h"
@@ -23,6 +24,7 @@ namespace curvdecim::detail {
 ///       pick them, evaluate each again
 ///       costlier than the round's limit, or refused? drop it            (guard)
 ///       more than the target needs? keep the cheapest
+///       two would make faces cross? keep the first           (round_crossings.h)
 ///       collapse them, merge the metric, tell observers
 template <class MetricType>
 class RoundSchedule {
@@ -157,12 +159,17 @@ class RoundSchedule {
 
   void collapse_picks(Tally& tally) {
     collapses_.make_room(next_number_ + static_cast<int>(picks_.size()));
-    if (may_reach_target()) {
-      for_picks([&](int i, Scratch& scratch) { check(picks_[i], scratch); });
+    if (const CrossingGuard* guard = collapses_.crossing_guard(); guard || may_reach_target()) {
+      if (guard) crossings_.begin(static_cast<int>(picks_.size()));
+      for_picks([&](int i, Scratch& scratch) {
+        check(picks_[i], scratch);
+        if (guard && picks_[i].ready) crossings_.keep(i, scratch.crossing);
+      });
       drop_needless();
+      if (guard) drop_crossing(*guard);
       for_picks([&](int i, Scratch& scratch) {
         if (picks_[i].ready)
-          collapses_.ask(picks_[i].edge, picks_[i].candidate, scratch);  // for the scratch
+          collapses_.ask_around(picks_[i].edge, picks_[i].candidate, scratch);  // for the scratch
         collapse(i, scratch);
       });
     } else {
@@ -196,7 +203,7 @@ class RoundSchedule {
         candidate && !(selection_.limit() < collapses_.priority(pick.edge, candidate->cost));
     if (!pick.ready) return;
     pick.candidate = *candidate;
-    pick.answer = rests_.ask(pick.edge, *candidate, scratch);
+    pick.answer = rests_.ask(pick.edge, *candidate, selection_.limit(), scratch);
     const Priority price = collapses_.priority(pick.edge, candidate->cost + pick.answer.price);
     const bool affordable = !pick.answer.refusal && !(selection_.limit() < price);
     pick.clears = affordable && pick.answer.obstacle.exists();
@@ -220,6 +227,17 @@ class RoundSchedule {
     }
   }
 
+  /// Drops picks that were asked about as the surface was, and may not be done with the others.
+  void drop_crossing(const CrossingGuard& guard) {
+    std::vector<int> ready;
+    for (std::size_t i = 0; i < picks_.size(); ++i)
+      if (picks_[i].ready) ready.push_back(static_cast<int>(i));
+    for (int i : crossings_.to_drop(ready, guard, parallel_)) {
+      picks_[i].ready = false;
+      picks_[i].answer = {Rejection::Crossing};
+    }
+  }
+
   /// Collapses the pick if it is ready. Its neighbourhood is in the scratch.
   void collapse(int i, Scratch& scratch) {
     Pick& pick = picks_[i];
@@ -239,6 +257,7 @@ class RoundSchedule {
       if (pick.answer.refusal) ++tally.rejected[*pick.answer.refusal];
       if (!pick.ready) continue;
       mesh_.connectivity.count(pick.removed);
+      collapses_.update_around(pick.edge.a), collapses_.update_around(pick.edge.b);
       selection_.set_merged(pick.edge);
       tally.count_step(std::max(tally.cost_last, pick.candidate.cost), pick.answer.error_bound);
     }
@@ -259,7 +278,7 @@ class RoundSchedule {
     const std::optional<Candidate> candidate =
         collapses_.exists(edge) ? collapses_.evaluate(edge) : std::nullopt;
     if (!candidate) return;
-    const GuardAnswer answer = collapses_.ask(edge, *candidate, scratch_[0]);
+    const GuardAnswer answer = collapses_.ask(edge, *candidate, {}, scratch_[0]);
     if (answer.refusal || !answer.obstacle.exists()) return;
     const std::vector<int> touched = collapses_.clear(edge, answer.obstacle, next_number_, tally);
     refused_[edge.a] = touched.empty();
@@ -313,6 +332,7 @@ class RoundSchedule {
   std::vector<Scratch> scratch_;            // by worker
   std::vector<std::vector<int>> near_hub_;  // by worker: vertices that still have to choose
   std::vector<Pick> picks_;
+  RoundCrossings crossings_;  // of the picks
   int next_number_;  // of the next collapse; numbers of picks that were dropped stay unused
 };
 

@@ -75,8 +75,8 @@ class StrictSchedule {
     return true;
   }
 
-  /// The answer about an edge depends on what is up to three edges away. Pairs reach further, and
-  /// edges of a hub at rest were not asked about.
+  /// The answer about an edge depends on what is up to three edges away. Pairs and crossings reach
+  /// further, and edges of a hub at rest were not asked about.
   void find_changed(const Parallel& parallel) {
     constexpr int reach = 3;
     const int count = mesh_.connectivity.vertex_slots();
@@ -89,7 +89,7 @@ class StrictSchedule {
       });
     }
     parallel.for_each(count, [&](int v) {
-      if (collapses_.has_pairs() || rests_.near(v)) changed_[v] = 1;
+      if (collapses_.has_pairs() || collapses_.crossing_guard() || rests_.near(v)) changed_[v] = 1;
     });
   }
 
@@ -200,8 +200,9 @@ class StrictSchedule {
   /// An edge that was queued with a price was asked about before. It is asked again though its hub
   /// may rest: turned away unseen it would be queued with its price forever.
   GuardAnswer ask(Edge edge, const Candidate& candidate) {
-    return queue_.top_has_price() ? collapses_.ask(edge, candidate, scratch_)
-                                  : rests_.ask(edge, candidate, scratch_);
+    const Priority most = std::max(queue_.top_priority(), queue_.second_priority());
+    return queue_.top_has_price() ? collapses_.ask(edge, candidate, most, scratch_)
+                                  : rests_.ask(edge, candidate, most, scratch_);
   }
 
   /// The bound is asked last, and only where the collapse would be done.
@@ -214,7 +215,7 @@ class StrictSchedule {
   /// Where it would leave the bound at its best place, it may be within it at an end.
   bool collapse_onto_end(Edge edge, Tally& tally) {
     for (const Candidate& end : collapses_.onto_ends(edge)) {
-      GuardAnswer answer = collapses_.ask(edge, end, scratch_);
+      GuardAnswer answer = collapses_.ask(edge, end, Priority(), scratch_);
       rests_.settle(edge, answer);
       if (answer.refusal || answer.obstacle.exists()) continue;
       collapse(end, answer.error_bound, tally);
@@ -233,6 +234,7 @@ class StrictSchedule {
     collapses_.make_room(++next_number_);
     const auto done = collapses_.collapse(candidate, error_bound, next_number_ - 1, scratch_);
     mesh_.connectivity.count(done.removed);
+    collapses_.update_around(done.keep);
     tally.pairs_contracted += scratch_.around.wings().empty();
     tally.count_step(candidate.cost, error_bound);
     queue_.remove(done.gone);

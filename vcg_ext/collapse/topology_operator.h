@@ -56,7 +56,7 @@ class TopologyOperator {
     if (!cut.is_possible() || mesh_.connectivity.face_count() < fewest) return {};
     const auto vertices = slots_.vertices(cut.new_vertices());
     const auto faces = slots_.faces(cut.new_faces());
-    if (!vertices || !faces) return {};
+    if (!vertices || !faces || closing_crosses(cut, *faces)) return {};
     for (int i = 0; i < cut.new_vertices(); ++i)
       hand_over(cut.path()[i], cut.right(i), (*vertices)[i], next_number++);
     close(cut, *vertices, *faces);
@@ -139,6 +139,14 @@ class TopologyOperator {
       if (!mesh_.color.empty()) mesh_.color.push_back(mesh_.color[source]);
     }
     return parted;
+  }
+
+  /// Where faces may not cross, a loop is closed by one face; two would lie on each other.
+  bool closing_crosses(const SurfaceCut& cut, const std::vector<int>& faces) const {
+    const CrossingGuard* guard = guards_.crossing_guard();
+    if (!guard || faces.empty()) return false;
+    const auto at = [&](int i) { return mesh_.position[cut.path()[i]]; };
+    return faces.size() > 1 || !guard->allows_face(faces[0], {at(0), at(2), at(1)});
   }
 
   /// A face on each side of a loop.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -18,7 +19,22 @@ struct Box {
   Vector3 high = -low;
 
   void add(const Vector3& p) { low = low.cwiseMin(p), high = high.cwiseMax(p); }
+  void add(const Box& o) { low = low.cwiseMin(o.low), high = high.cwiseMax(o.high); }
+
+  bool is_empty() const { return !(low[0] <= high[0]); }
+
+  /// True if the boxes have a point in common.
+  bool meets(const Box& o) const {
+    return (low.array() <= o.high.array()).all() && (o.low.array() <= high.array()).all();
+  }
 };
+
+/// The box around a triangle.
+inline Box box_around(const std::array<Vector3, 3>& triangle) {
+  Box box;
+  for (const Vector3& p : triangle) box.add(p);
+  return box;
+}
 
 /// Four boxes in single precision, rounded outwards, on which the processor works at once; as they
 /// are made, there is nothing in them.
@@ -31,8 +47,16 @@ class FourBoxes {
   struct Place {
     std::array<float, 3> low, high;
 
-    explicit Place(const Vector3& p)
-        : low{below(p[0]), below(p[1]), below(p[2])}, high{above(p[0]), above(p[1]), above(p[2])} {}
+    explicit Place(const Vector3& p) : Place(Box{p, p}) {}
+    /// The numbers around a box that is not empty.
+    explicit Place(const Box& box)
+        : low{below(box.low[0]), below(box.low[1]), below(box.low[2])},
+          high{above(box.high[0]), above(box.high[1]), above(box.high[2])} {}
+    Place(const FourBoxes& boxes, int i)
+        : low{boxes.low_[0][i], boxes.low_[1][i], boxes.low_[2][i]},
+          high{boxes.high_[0][i], boxes.high_[1][i], boxes.high_[2][i]} {}
+
+    bool operator==(const Place& o) const { return low == o.low && high == o.high; }
   };
 
   FourBoxes() {
@@ -41,7 +65,11 @@ class FourBoxes {
   }
 
   void set(int i, const Box& box) {
-    for (int k = 0; k < 3; ++k) low_[k][i] = below(box.low[k]), high_[k][i] = above(box.high[k]);
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    for (int k = 0; k < 3; ++k) {
+      low_[k][i] = box.is_empty() ? infinity : below(box.low[k]);
+      high_[k][i] = box.is_empty() ? -infinity : above(box.high[k]);
+    }
   }
 
   /// Box i around all of the others.
@@ -67,6 +95,13 @@ class FourBoxes {
     return surely * sum;
   }
 
+  /// Of each of the four, other than 0 if it may have a point of the box in it.
+  auto meets(const Place& box) const {
+    auto meets = (low_[0] <= box.high[0]) & (high_[0] >= box.low[0]);
+    for (int k = 1; k < 3; ++k) meets &= (low_[k] <= box.high[k]) & (high_[k] >= box.low[k]);
+    return meets;
+  }
+
  private:
   static constexpr float unit = std::numeric_limits<float>::epsilon();
 
@@ -79,8 +114,8 @@ class FourBoxes {
   std::array<Four, 3> low_, high_;  // by axis
 };
 
-/// A complete tree of boxes with four children a node, to find what is nearest: its leaves are
-/// numbered in a row, and what is in them is its owner's.
+/// A complete tree of boxes with four children a node, to find what is nearest, or what meets a
+/// box: its leaves are numbered in a row, and what is in them is its owner's.
 class BoxTree {
  public:
   /// leaves: at least one.
@@ -98,13 +133,81 @@ class BoxTree {
     }
   }
 
+  /// Sets the boxes of a leaf and of what it is in. box_of(leaf) gives a Box.
+  template <class BoxOf>
+  void refit(int leaf, BoxOf box_of) {
+    for (int node = first_leaf_ + leaf; node > 0; node = parent(node)) {
+      const FourBoxes::Place before = place_of_node(node);
+      fit_box(node, box_of);
+      if (place_of_node(node) == before) return;  // what it is in has not changed either
+    }
+  }
+
+  /// Asks found(leaf) of the leaves that may have a point of the box in them, until it is true for
+  /// one; returns whether it was.
+  template <class Found>
+  bool any_meeting(const Box& box, Found found) const {
+    const FourBoxes::Place place(box);
+    std::array<int, most_waiting> stack;
+    int waiting = 0;
+    stack[waiting++] = 0;
+    while (waiting > 0) {
+      const int node = stack[--waiting];
+      if (node >= first_leaf_) {
+        if (found(node - first_leaf_)) return true;
+        continue;
+      }
+      const auto meets = boxes_[node].meets(place);
+      for (int i = 0; i < width; ++i)
+        if (meets[i] != 0) stack[waiting++] = child(node, i);
+    }
+    return false;
+  }
+
+  /// The box of a leaf.
+  FourBoxes::Place place_of(int leaf) const { return place_of_node(first_leaf_ + leaf); }
+
+  /// Two nodes whose boxes may have a point in common, the lower number first, or one with itself.
+  struct NodePair {
+    int a, b;
+  };
+
+  /// Pairs of nodes that hold all pairs of leaves that may meet: about `many`, if there are as
+  /// many.
+  std::vector<NodePair> meeting_pairs(std::size_t many) const {
+    std::vector<NodePair> pairs{{0, 0}};
+    const auto is_inner = [this](NodePair pair) { return pair.a < first_leaf_; };
+    while (pairs.size() < many && std::any_of(pairs.begin(), pairs.end(), is_inner)) {
+      std::vector<NodePair> opened;
+      const auto add = [&](NodePair pair) { opened.push_back(pair); };
+      for (NodePair pair : pairs) is_inner(pair) ? open(pair, add) : add(pair);
+      pairs.swap(opened);
+    }
+    return pairs;
+  }
+
+  /// Calls use(leaf, leaf) for every two leaves in these nodes that may meet.
+  template <class Use>
+  void for_each_meeting(NodePair nodes, Use use) const {
+    constexpr int most = 256;  // fifteen of each level, and one
+    std::array<NodePair, most> stack;
+    int waiting = 0;
+    stack[waiting++] = nodes;
+    while (waiting > 0) {
+      const NodePair pair = stack[--waiting];
+      if (pair.a < first_leaf_)
+        open(pair, [&](NodePair inside) { stack[waiting++] = inside; });
+      else if (pair.a != pair.b)
+        use(pair.a - first_leaf_, pair.b - first_leaf_);
+    }
+  }
+
   /// Calls visit(leaf) for every leaf that may have something nearer to p than the root of limit2,
   /// the nearer ones first; visit lowers limit2.
   template <class Visit>
   void visit_near(const Vector3& p, const double& limit2, Visit visit) const {
-    constexpr int most = 64;  // three of each level, of which there are no more than 16
     const FourBoxes::Place place(p);
-    std::array<Waiting, most> stack;
+    std::array<Waiting, most_waiting> stack;
     int waiting = 0;
     stack[waiting++] = {0, 0.0f};
     while (waiting > 0) {
@@ -119,6 +222,7 @@ class BoxTree {
 
  private:
   static constexpr int width = FourBoxes::count;
+  static constexpr int most_waiting = 64;  // three of each level, of which there are at most 16
 
   struct Waiting {
     int node;
@@ -139,6 +243,28 @@ class BoxTree {
     const int place = node - child(parent(node), 0);
     node < first_leaf_ ? boxes.set(place, boxes_[node])
                        : boxes.set(place, box_of(node - first_leaf_));
+  }
+
+  FourBoxes::Place place_of_node(int node) const {
+    return {boxes_[parent(node)], node - child(parent(node), 0)};
+  }
+
+  /// Calls add(pair) for the pairs of children that may meet. A leaf has itself for its only one;
+  /// a is none.
+  template <class Add>
+  void open(NodePair pair, Add add) const {
+    if (pair.b >= first_leaf_) return open_against(pair.a, 0, place_of_node(pair.b), pair.b, add);
+    for (int i = 0; i < width; ++i)
+      open_against(pair.b, pair.a == pair.b ? i : 0, {boxes_[pair.a], i}, child(pair.a, i), add);
+  }
+
+  /// The children of a node, from the `first` on, that may meet another one in this place.
+  template <class Add>
+  void open_against(int node, int first, const FourBoxes::Place& place, int other, Add add) const {
+    const auto meets = boxes_[node].meets(place);
+    for (int i = first; i < width; ++i)
+      if (meets[i] != 0)
+        add(NodePair{std::min(child(node, i), other), std::max(child(node, i), other)});
   }
 
   /// Those near enough, the nearest on top.

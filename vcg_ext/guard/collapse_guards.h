@@ -6,6 +6,7 @@
 
 #include "vcg_ext/guard/collapse_bound.h"
 #include "vcg_ext/guard/collapse_rule.h"
+#include "vcg_ext/guard/crossing_guard.h"
 #include "vcg_ext/guard/face_guard.h"
 #include "vcg_ext/guard/fold.h"
 #include "vcg_ext/guard/obstacle.h"
@@ -25,7 +26,8 @@ struct GuardAnswer {
 };
 
 /// All that may refuse a collapse once its kinds allow it, or make it costlier: the cheap guards
-/// first.
+/// first. The one against crossings is asked by itself: it looks at faces elsewhere, which may
+/// change while others are asked about.
 class CollapseGuards {
  public:
   CollapseGuards(const WorkingMesh& mesh, const CollapseLimits& limits)
@@ -81,17 +83,42 @@ class CollapseGuards {
   /// How the error is bounded: guard/collapse_bound.h.
   CollapseBound& bound() { return bound_; }
 
+  /// From now on faces may not cross others.
+  void prevent_crossings(const Parallel& parallel) { crossing_guard_.emplace(mesh_, parallel); }
+
+  /// False if faces would cross that may not, were the edge collapsed as it was asked about; star:
+  /// what changes then.
+  bool keeps_apart(const EdgeNeighborhood& around, const Vector3& x,
+                   const std::vector<FacePlane>& after, CrossingGuard::Star& star) const {
+    if (!crossing_guard_) return true;
+    const auto [a, b] = around.edge();
+    const bool is_disk = link_condition_ && around.wings().size() == 2 &&
+                         mesh_.kind[a] == VertexKind::Interior &&
+                         mesh_.kind[b] == VertexKind::Interior;
+    return crossing_guard_->allows(around, x, after, is_disk, star);
+  }
+
+  /// nullptr: faces may cross.
+  CrossingGuard* crossing_guard() { return crossing_guard_ ? &*crossing_guard_ : nullptr; }
+  const CrossingGuard* crossing_guard() const {
+    return crossing_guard_ ? &*crossing_guard_ : nullptr;
+  }
+
   /// What it costs that the topology gives way; nullptr: it does not.
   const ObstaclePrice* obstacle_price() const {
     return obstacle_price_ ? &*obstacle_price_ : nullptr;
   }
 
   /// To be told of every face that the topology gave way with.
-  void renew(int f) { face_guard_.renew(f); }
+  void renew(int f) {
+    face_guard_.renew(f);
+    if (crossing_guard_) crossing_guard_->update(f);
+  }
 
   void renumber(const Renumbering& numbers) {
     face_guard_.renumber(numbers);
     bound_.renumber(numbers);
+    if (crossing_guard_) crossing_guard_->rebuild();
   }
 
  private:
@@ -108,6 +135,7 @@ class CollapseGuards {
   FaceGuard face_guard_;
   std::optional<ObstaclePrice> obstacle_price_;  // where the topology gives way
   CollapseBound bound_;
+  std::optional<CrossingGuard> crossing_guard_;  // where faces may not cross
 };
 
 }  // namespace curvdecim::detail

@@ -23,6 +23,7 @@ struct CollapseLimits {
   bool topology_gives_way = false;   ///< by size: parts, holes and handles may go at a price
   double max_error = 0.0;            ///< distance to the input, in the box; 0: no bound
   bool max_error_one_sided = false;  ///< from the result to the input only
+  bool prevents_crossings = false;   ///< no face crosses another that it did not cross before
   double attribute_weight = 0.0;     ///< of what is carried, where it drifts, against the surface
 };
 

@@ -41,7 +41,7 @@ class SurfaceBound {
   double limit() const { return limit_; }
 
   /// There is a mesh to ask about.
-  bool has_begun() const { return has_begun_; }
+  bool has_begun() const { return at_start_.has_value(); }
 
   /// Whether samples of a surface and of the input are within a share of the limit of the other.
   /// Surface: triangle(f).
@@ -60,29 +60,41 @@ class SurfaceBound {
            all_sampled(faces, parallel, to_input);
   }
 
-  /// Begins with a surface: its faces have these numbers from now on. Returns its distance; nullopt
-  /// if that is above the limit, or cannot be told. Surface: triangle(f).
+  /// Begins with a surface: its faces have these numbers from now on. False if its distance is
+  /// above the limit, or cannot be told; then it has not begun. Surface: triangle(f).
   template <class Surface>
-  std::optional<double> begin(const Surface& surface, int faces, const Parallel& parallel) {
+  bool begin(const Surface& surface, int faces, const Parallel& parallel) {
     reset(faces);
     std::vector<std::vector<int>> used(input_.size());
     const std::vector<double> from_input = distances_from_input(surface, faces, used, parallel);
     const double from = largest_of(from_input);
-    if (from > limit_) return std::nullopt;
+    if (from > limit_) return false;
     for (int r = 0; r < input_.size(); ++r)
       for (int f : used[r]) rely(r, f, from_input[r]);
     const std::vector<double> to_input = distances_to_input(surface, faces, parallel);
     const double to = largest_of(to_input);
-    if (to > limit_) return std::nullopt;
+    if (to > limit_) return false;
     for (int f = 0; f < faces; ++f) of_face_[f] = std::max(of_face_[f], to_input[f]);
-    has_begun_ = true;
-    return std::max(from, to);
+    at_start_ = std::max(from, to);
+    return true;
   }
 
+  /// Begins with the input as it is.
+  void begin_with_input() {
+    reset(input_.size());
+    for (int r = 0; r < input_.size(); ++r) reliance_.add(r, r);
+    at_start_ = 0.0;
+  }
+
+  /// There is no mesh to ask about any more.
+  void stop() { at_start_.reset(); }
+
+  /// The distance that it has begun with; 0 if it has not.
+  double at_start() const { return at_start_.value_or(0.0); }
+
   struct Reached {
-    double distance;  ///< the largest; infinite where one is above the limit
-    std::vector<int>
-        too_far;  ///< faces that are, and those that such a face of the input relies on
+    double distance;           ///< the largest; infinite where one is above the limit
+    std::vector<int> too_far;  ///< faces that are, or that such a face of the input relies on
   };
 
   /// How far the surface is now that it began with, its vertices moved.
@@ -98,13 +110,6 @@ class SurfaceBound {
     for (int f = 0; f < faces; ++f)
       if (distance[f] > limit_) reached.too_far.push_back(f);
     return reached;
-  }
-
-  /// Begins with the input as it is.
-  void begin_with_input() {
-    reset(input_.size());
-    for (int r = 0; r < input_.size(); ++r) reliance_.add(r, r);
-    has_begun_ = true;
   }
 
   /// Whether a point is near the input. hint: a face of the mesh near by.
@@ -190,7 +195,7 @@ class SurfaceBound {
   void reset(int faces) {
     reliance_.reset(input_.size(), faces);
     changed_.assign(faces, 0), of_face_.assign(faces, 0.0);
-    has_begun_ = false;
+    stop();
   }
 
   static double largest_of(const std::vector<double>& distances) {
@@ -316,7 +321,7 @@ class SurfaceBound {
   Cover cover_;
   Reliance reliance_;
   std::vector<double> of_face_;  // how far it, and what relies on it, is off at most
-  bool has_begun_ = false;
+  std::optional<double> at_start_;
   // The question:
   int question_ = 0;
   std::vector<int> changed_;  // by face: the last question that it changed in

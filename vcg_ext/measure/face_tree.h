@@ -142,12 +142,7 @@ class FaceTree {
 
   /// best.face: a place.
   void look_at(int place, const Vector3& p, SurfacePoint& best) const {
-    const auto& [t, normal] = faces_[place];
-    const double height = normal.dot(p - t[0]);
-    if (height * height > best.distance2 * normal.squaredNorm()) return;  // so is its plane already
-    const Barycentric weight = closest_point(t, normal, p);
-    const double distance2 = (at(t, weight) - p).squaredNorm();
-    if (distance2 < best.distance2) best = {place, weight, distance2};
+    detail::look_at(faces_[place].triangle, faces_[place].normal, place, p, best);
   }
 
   MedianOrder order_;

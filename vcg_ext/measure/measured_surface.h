@@ -38,7 +38,6 @@ class MeasuredSurface {
 
   double area() const { return area_; }
   SurfacePoint nearest(const Vector3& p, int hint) const { return tree_.nearest(p, hint); }
-  const FaceTree& tree() const { return tree_; }
 
  private:
   WorkingMesh mesh_;

@@ -8,7 +8,7 @@
 #include "vcg_ext/error_report.h"
 #include "vcg_ext/guard/fold.h"
 #include "vcg_ext/measure/distances.h"
-#include "vcg_ext/measure/intersections.h"
+#include "vcg_ext/mesh/crossings.h"
 #include "vcg_ext/mesh/disjoint_sets.h"
 
 namespace curvdecim::detail {
@@ -111,6 +111,18 @@ inline int count_folded(const MeasuredSurface& surface, const Parallel& parallel
   }));
 }
 
+/// Faces that go through another one, deeper than the rounding of single precision: what only
+/// touches does not cross.
+inline std::int64_t count_crossing(const MeasuredSurface& surface, const Parallel& parallel) {
+  constexpr double depth = 1e-7;  // in the box of diagonal 1
+  const auto cross = [](int, const Triangle& of_f, int, const Triangle& of_g) {
+    return triangles_cross_deeper(depth, of_f, of_g);
+  };
+  if (surface.face_count() == 0) return 0;
+  const SingleBoxes<MeasuredSurface> boxes(surface, surface.face_count(), parallel);
+  return static_cast<std::int64_t>(faces_of(crossing_pairs(boxes, cross, parallel)).size());
+}
+
 /// faces, vertices: of the host's mesh. diagonal: of the original's bounding box.
 inline SurfaceFigures surface_figures(const MeasuredSurface& surface, std::int64_t faces,
                                       std::int64_t vertices, double diagonal,
@@ -126,7 +138,7 @@ inline SurfaceFigures surface_figures(const MeasuredSurface& surface, std::int64
   figures.parts = topology.parts(), figures.holes = topology.holes();
   figures.handles = topology.handles();
   figures.folded = count_folded(surface, parallel);
-  figures.intersecting = Intersections(surface).count(parallel);
+  figures.intersecting = count_crossing(surface, parallel);
   return figures;
 }
 

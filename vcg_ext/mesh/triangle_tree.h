@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <algorithm>
-#include <cassert>
 #include <limits>
-#include <vector>
 
-#include "vcg_ext/geometry/box_tree.h"
 #include "vcg_ext/geometry/closest_point.h"
-#include "vcg_ext/geometry/morton.h"
-#include "vcg_ext/mesh/triangle_connectivity.h"
+#include "vcg_ext/mesh/face_boxes.h"
 #include "vcg_ext/parallel/parallel.h"
 
 namespace curvdecim::detail {
@@ -28,22 +23,25 @@ struct SurfacePoint {
 /// For searches: takes every face.
 inline bool any_face(const Vector3&) { return true; }
 
-/// The point of face f nearest to p, if `accept` takes the face's normal (of any length) and it is
-/// nearer than `best`.
-template <class Surface, class Accept>
-void look_at(const Surface& surface, int f, const Vector3& p, Accept accept, SurfacePoint& best) {
-  const Triangle& t = surface.triangle(f);
-  const Vector3 normal = (t[1] - t[0]).cross(t[2] - t[0]);
-  if (!accept(normal)) return;
+/// Sets `best` to the point of a triangle nearest to p, if it is nearer. normal: of any length.
+inline void look_at(const Triangle& t, const Vector3& normal, int face, const Vector3& p,
+                    SurfacePoint& best) {
   const double height = normal.dot(p - t[0]);
   if (height * height > best.distance2 * normal.squaredNorm()) return;  // so is its plane already
   const Barycentric weight = closest_point(t, normal, p);
   const double distance2 = (at(t, weight) - p).squaredNorm();
-  if (distance2 < best.distance2) best = {f, weight, distance2};
+  if (distance2 < best.distance2) best = {face, weight, distance2};
 }
 
-/// Boxes around the faces of a surface in a box of diagonal 1, to find nearest points: leaves of
-/// some faces each in the order of a space-filling curve, and a tree over them.
+/// The same for face f of a surface, if `accept` takes the face's normal.
+template <class Surface, class Accept>
+void look_at(const Surface& surface, int f, const Vector3& p, Accept accept, SurfacePoint& best) {
+  const Triangle& t = surface.triangle(f);
+  const Vector3 normal = (t[1] - t[0]).cross(t[2] - t[0]);
+  if (accept(normal)) look_at(t, normal, f, p, best);
+}
+
+/// Finds the points of a surface that are nearest to others, by boxes around its faces.
 ///
 /// Surface: triangle(f). Its vertices may move, if refit is called afterwards.
 template <class Surface>
@@ -51,16 +49,9 @@ class TriangleTree {
  public:
   /// faces: at least one.
   TriangleTree(const Surface& surface, int faces, const Parallel& parallel)
-      : surface_(surface), order_(faces), boxes_((faces + leaf_size - 1) / leaf_size) {
-    assert(faces > 0);
-    sort_faces(parallel);
-    refit(parallel);
-  }
+      : boxes_(surface, faces, parallel) {}
 
-  void refit(const Parallel& parallel) {
-    boxes_.fit([&](int count, auto work) { parallel.for_each(count, work); },
-               [&](int leaf) { return box_of(leaf); });
-  }
+  void refit(const Parallel& parallel) { boxes_.refit(parallel); }
 
   /// hint: a face near by, to look at first, or SurfacePoint::none.
   SurfacePoint nearest(const Vector3& p, int hint) const {
@@ -79,46 +70,23 @@ class TriangleTree {
     return search(p, hint, limit2, [&](const Vector3& n) { return n.dot(normal) >= 0.0; });
   }
 
-  const Surface& surface() const { return surface_; }
+  const Surface& surface() const { return boxes_.surface(); }
 
  private:
-  static constexpr int leaf_size = 2;
-
-  int face_count() const { return static_cast<int>(order_.size()); }
-
-  void sort_faces(const Parallel& parallel) {
-    const auto keys = along_curve(face_count(), parallel, [&](int f) -> Vector3 {
-      return center_of(surface_.triangle(f)).cwiseMax(-0.5).cwiseMin(0.5);
-    });
-    parallel.for_each(face_count(), [&](int i) { order_[i] = keys[i].value; });
-  }
-
-  IndexRange faces_of(int leaf) const {
-    const int begin = leaf * leaf_size;
-    return {order_.data() + begin, order_.data() + std::min(face_count(), begin + leaf_size)};
-  }
-
-  Box box_of(int leaf) const {
-    Box box;
-    for (int f : faces_of(leaf))
-      for (const Vector3& p : surface_.triangle(f)) box.add(p);
-    return box;
-  }
-
   template <class Accept>
   SurfacePoint search(const Vector3& p, int hint, double limit2, Accept accept) const {
     SurfacePoint best;
     best.distance2 = limit2;
-    if (hint != SurfacePoint::none) look_at(surface_, hint, p, accept, best);
-    boxes_.visit_near(p, best.distance2, [&](int leaf) {
-      for (int f : faces_of(leaf)) look_at(surface_, f, p, accept, best);
+    if (hint != SurfacePoint::none) look_at(surface(), hint, p, accept, best);
+    boxes_.tree().visit_near(p, best.distance2, [&](int leaf) {
+      for (int f : boxes_.faces_of(leaf)) look_at(surface(), f, p, accept, best);
     });
     return best;
   }
 
-  const Surface& surface_;
-  std::vector<int> order_;  // faces along the curve
-  BoxTree boxes_;
+  static constexpr int leaf_size = 2;
+
+  FaceBoxes<Surface, leaf_size> boxes_;
 };
 
 }  // namespace curvdecim::detail

@@ -10,6 +10,7 @@
 
 #include "vcg_ext/mesh/seams.h"
 #include "vcg_ext/mesh/working_mesh.h"
+#include "vcg_ext/passes/crossing_places.h"
 #include "vcg_ext/passes/pass_schedule.h"
 #include "vcg_ext/passes/passes_within.h"
 
@@ -111,9 +112,42 @@ std::optional<PassSurface> prepare(WorkingMesh& mesh, MetricType& metric, const 
   return std::nullopt;
 }
 
+/// The passes, which a bound may end earlier; where there is one, it has begun with what they
+/// leave. Returns what the dearest collapse of the last pass cost.
+template <class MetricType>
+double run_passes(PassSurface& surface, const MetricType& metric, const CollapsePlan& plan,
+                  BlendRecord& record, SurfaceBound* bound, const Parallel& parallel) {
+  PassSchedule passes(surface, metric, plan, parallel);
+  if (bound)
+    run_within(*bound, passes, surface, record, parallel);
+  else
+    passes.run(record);
+  return passes.largest_cost();
+}
+
+/// The same where faces may not cross. Passes do not look beyond the faces around: where some cross
+/// afterwards, they are done anew, and hold the surface there. After some trials there are no
+/// passes.
+template <class MetricType>
+double run_passes_apart(PassSurface& surface, const MetricType& metric, const CollapsePlan& plan,
+                        BlendRecord& record, SurfaceBound* bound, const Parallel& parallel) {
+  constexpr int trials = 3;
+  PassSurface start = surface;
+  for (int trial = 0; trial < trials && surface.is_mostly_free(); ++trial) {
+    const double largest_cost = run_passes(surface, metric, plan, record, bound, parallel);
+    const std::vector<Box> places = crossing_places(start, surface, parallel);
+    if (places.empty()) return largest_cost;
+    record.first_steps() = {};
+    hold_in(places, start, parallel);
+    surface = start;
+  }
+  if (bound) bound->stop();
+  return 0.0;
+}
+
 /// Collapses edges of the surface in passes until it has about as many faces as the plan says, and
-/// gives what is left to the mesh. Where there is a bound, it has begun with that. Returns how many
-/// steps the record has then. Throws CancelRequest.
+/// gives what is left to the mesh. Where there is a bound, it has begun with that, if there were
+/// passes. Returns how many steps the record has then. Throws CancelRequest.
 template <class MetricType>
 int collapse_in_passes(PassSurface surface, WorkingMesh& mesh, MetricType& metric,
                        const CollapsePlan& plan, BlendRecord& record, SurfaceBound* bound,
@@ -121,14 +155,11 @@ int collapse_in_passes(PassSurface surface, WorkingMesh& mesh, MetricType& metri
   if constexpr (!HasPasses<MetricType>::value) {
     return 0;
   } else {
-    {
-      PassSchedule passes(surface, metric, plan, parallel);
-      if (bound)
-        run_within(*bound, passes, surface, record, parallel, tally);
-      else
-        passes.run(record);
-      tally.count_step(passes.largest_cost(), 0.0);
-    }
+    const double largest_cost =
+        plan.limits.prevents_crossings
+            ? run_passes_apart(surface, metric, plan, record, bound, parallel)
+            : run_passes(surface, metric, plan, record, bound, parallel);
+    tally.count_step(largest_cost, bound ? bound->at_start() : 0.0);
     join(std::move(surface), mesh, metric, parallel);
     return record.first_steps().count();
   }

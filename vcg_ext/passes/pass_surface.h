@@ -53,10 +53,9 @@ struct PassSurface {
   /// of its plane.
   static constexpr float half_a_third = 0.5f / 3.0f;
 
-  Triangle triangle(int f) const { return triangle_of(position, faces[f]); }
-
   int vertex_count() const { return static_cast<int>(position.size()); }
   int face_count() const { return static_cast<int>(faces.size()); }
+  Triangle triangle(int f) const { return triangle_of(position, faces[f]); }
 
   /// False where so many are held that they would have had their turn by now.
   bool is_mostly_free() const {

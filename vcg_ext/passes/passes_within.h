@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <optional>
 #include <utility>
 #include <vector>
 
 #include "vcg_ext/attributes/attribute_blend.h"
 #include "vcg_ext/guard/surface_bound.h"
-#include "vcg_ext/mesh/tally.h"
 #include "vcg_ext/passes/pass_schedule.h"
 
 namespace curvdecim::detail {
@@ -16,7 +14,7 @@ namespace curvdecim::detail {
 /// begins with the last surface that is within it everywhere; the first one, the input, is.
 template <class MetricType>
 void run_within(SurfaceBound& bound, PassSchedule<MetricType>& passes, PassSurface& surface,
-                BlendRecord& record, const Parallel& parallel, Tally& tally) {
+                BlendRecord& record, const Parallel& parallel) {
   constexpr double share = 0.5;  // of the bound: a pass more, and there is room left still
   struct Level {
     PassSurface surface;
@@ -26,12 +24,10 @@ void run_within(SurfaceBound& bound, PassSchedule<MetricType>& passes, PassSurfa
   do finer.push_back({surface, record.first_steps()});
   while (passes.step(record) &&
          bound.holds_in_samples(surface, surface.face_count(), share, parallel));
-  std::optional<double> distance = bound.begin(surface, surface.face_count(), parallel);
-  for (; !distance && !finer.empty(); finer.pop_back()) {
+  while (!bound.begin(surface, surface.face_count(), parallel) && !finer.empty()) {
     surface = std::move(finer.back().surface), record.first_steps() = std::move(finer.back().steps);
-    distance = bound.begin(surface, surface.face_count(), parallel);
+    finer.pop_back();
   }
-  if (distance) tally.note_error(*distance);
 }
 
 }  // namespace curvdecim::detail

@@ -7,6 +7,7 @@
 #include <tuple>
 #include <vector>
 
+#include "vcg_ext/guard/crossing_guard.h"
 #include "vcg_ext/mesh/seams.h"
 #include "vcg_ext/mesh/working_mesh.h"
 #include "vcg_ext/parallel/parallel.h"
@@ -21,16 +22,23 @@ namespace curvdecim::detail {
 /// samples of both @cite hoppe1993. The best first; flips of one pass share no vertex.
 class EdgeFlips {
  public:
+  /// crossing_guard: nullptr where faces may cross.
   EdgeFlips(WorkingMesh& mesh, InputSamples& of_input, MeshSamples& of_mesh, const MoveGuard& guard,
-            const TextureDrift& drift)
-      : mesh_(mesh), of_input_(of_input), of_mesh_(of_mesh), guard_(guard), drift_(drift) {}
+            const TextureDrift& drift, CrossingGuard* crossing_guard)
+      : mesh_(mesh),
+        of_input_(of_input),
+        of_mesh_(of_mesh),
+        guard_(guard),
+        drift_(drift),
+        crossing_guard_(crossing_guard) {}
 
   /// near: by face, a face of the input near it. Returns the number of flips.
   int run(const std::vector<int>& near, const Parallel& parallel) {
     std::vector<Flip> flips = candidates(near, parallel);
     std::sort(flips.begin(), flips.end());
     flips = apart(flips);
-    for (const Flip& flip : flips) apply(flip);
+    const auto is_kept = [&](const Flip& flip) { return !apply(flip); };
+    flips.erase(std::remove_if(flips.begin(), flips.end(), is_kept), flips.end());
     if (flips.empty()) return 0;
     parallel.for_each(
         static_cast<int>(flips.size()), [&](int i) { match_again(flips[i], near); },
@@ -252,10 +260,26 @@ class EdgeFlips {
     return chosen;
   }
 
-  void apply(const Flip& flip) {
+  /// False, and nothing is done, where faces would cross that may not.
+  bool apply(const Flip& flip) {
+    if (crossing_guard_ && !crossing_guard_->allows(changed_by(flip))) return false;
     if (mesh_.wedges.exist()) mesh_.wedges.flip(mesh_.connectivity, flip.f, flip.g, flip.a, flip.b);
     mesh_.connectivity.flip(flip.f, flip.g, flip.a, flip.b);
     mesh_.update_plane(flip.f), mesh_.update_plane(flip.g);
+    if (crossing_guard_) crossing_guard_->update(flip.f), crossing_guard_->update(flip.g);
+    return true;
+  }
+
+  /// The corners are in the order in which they will be.
+  CrossingGuard::Star changed_by(const Flip& flip) const {
+    CrossingGuard::Star changed;
+    const auto add = [&](int f, int from, int to) {
+      Triangle t = mesh_.triangle(f);
+      t[mesh_.connectivity.corner(f, from)] = mesh_.position[to];
+      changed.add(f, t);
+    };
+    add(flip.f, flip.b, flip.d), add(flip.g, flip.a, flip.c);
+    return changed;
   }
 
   void match_again(const Flip& flip, const std::vector<int>& near) {
@@ -268,6 +292,7 @@ class EdgeFlips {
   MeshSamples& of_mesh_;
   const MoveGuard& guard_;
   const TextureDrift& drift_;
+  CrossingGuard* const crossing_guard_;
 };
 
 }  // namespace curvdecim::detail

@@ -8,10 +8,12 @@
 #include <vector>
 
 #include "vcg_ext/attributes/carried.h"
+#include "vcg_ext/guard/crossing_guard.h"
 #include "vcg_ext/guard/surface_bound.h"
 #include "vcg_ext/mesh/tally.h"
 #include "vcg_ext/mesh/working_mesh.h"
 #include "vcg_ext/parallel/parallel.h"
+#include "vcg_ext/refine/crossing_moves.h"
 #include "vcg_ext/refine/curve_samples.h"
 #include "vcg_ext/refine/edge_flips.h"
 #include "vcg_ext/refine/input_samples.h"
@@ -34,6 +36,7 @@ namespace curvdecim::detail {
 ///     flip the edges that lower the error                                  (edge_flips.h)
 ///     steps of all vertices that fit the samples best                      (vertex_fit.h)
 ///     shorten the steps that would spoil or fold a face, or lead astray    (move_guard.h)
+///     take back those that would make faces cross, where none may          (crossing_moves.h)
 ///   max_error? no edge is flipped, and what has come too far goes back  (guard/surface_bound.h)
 ///
 /// Locked vertices and those of non-manifold curves stay; those of borders and of seams move with
@@ -61,7 +64,9 @@ class Refinement {
                   limits_, parallel),
         guard_(mesh, input, input_tree_, plan.limits.faces),
         drift_(mesh, input, plan.limits.attribute_weight),
-        near_(face_count(), SurfacePoint::none) {}
+        near_(face_count(), SurfacePoint::none) {
+    if (plan.limits.prevents_crossings) crossing_guard_.emplace(mesh, parallel);
+  }
 
   /// Throws CancelRequest.
   void run(int sweeps) {
@@ -115,7 +120,9 @@ class Refinement {
     ProgressMeter& progress = parallel_.progress();
     progress.along(0.0, third, [&] { match_surface(limits), match_curves(); });
     progress.along(third, 2.0 * third, [&] {
-      if (!bound_) EdgeFlips(mesh_, of_input_, of_mesh_, guard_, drift_).run(near_, parallel_);
+      if (!bound_)
+        EdgeFlips(mesh_, of_input_, of_mesh_, guard_, drift_, crossing_guard())
+            .run(near_, parallel_);
     });
     progress.along(2.0 * third, 1.0, [&] { fit(fixed); });
   }
@@ -150,7 +157,9 @@ class Refinement {
   void fit(const std::vector<std::uint8_t>& fixed) {
     std::vector<Vector3> steps =
         VertexFit(mesh_, parallel_).steps(of_input_, of_mesh_, {&of_border_, &of_seams_}, fixed);
-    move_to(guard_.moved(std::move(steps), near_, farthest(), parallel_));
+    std::vector<Vector3> now = guard_.moved(std::move(steps), near_, farthest(), parallel_);
+    if (crossing_guard()) take_back_crossings(mesh_, now, parallel_);
+    move_to(std::move(now));
   }
 
   void move_to(std::vector<Vector3> now) {
@@ -158,10 +167,14 @@ class Refinement {
     mesh_.position.swap(now);
     mesh_.update_planes(parallel_);
     mesh_tree_.refit(parallel_);
+    if (crossing_guard()) crossing_guard()->rebuild();
   }
 
+  /// nullptr: faces may cross.
+  CrossingGuard* crossing_guard() { return crossing_guard_ ? &*crossing_guard_ : nullptr; }
+
   /// The corners of faces that are too far go back to where they were, which may bring others too
-  /// far; in the end all do. Returns the distance, 0 if all have.
+  /// far, or make faces cross; in the end all do. Returns the distance, 0 if all have.
   double return_within(const SurfaceBound& bound) {
     constexpr int most_rounds = 10;  // a few are enough nearly always
     for (int round = 0;; ++round) {
@@ -171,8 +184,12 @@ class Refinement {
       std::vector<Vector3> now = mesh_.position;
       for (int f : too_far)
         for (int v : mesh_.connectivity.face(f)) now[v] = before_[v];
-      const bool is_stuck = round == most_rounds || now == mesh_.position;
-      move_to(is_stuck ? before_ : std::move(now));
+      if (round == most_rounds || now == mesh_.position) now = before_;
+      if (crossing_guard()) {
+        move_to(before_);
+        take_back_crossings(mesh_, now, parallel_);
+      }
+      move_to(std::move(now));
     }
   }
 
@@ -233,6 +250,7 @@ class Refinement {
   CurveSamples of_border_, of_seams_;
   MoveGuard guard_;
   TextureDrift drift_;
+  std::optional<CrossingGuard> crossing_guard_;  // where faces may not cross
   std::vector<BlendStep> wedge_steps_;
   double distance_ = 0.0;
   std::vector<int> near_;  // by face of the mesh: a face of the input near it

@@ -139,4 +139,13 @@ inline void note_what_gave_way(DecimationReport& report) {
                          size.str() + " across. Preserve topology keeps them.");
 }
 
+/// What the detector found, where faces may not cross that did not in the input.
+inline void note_crossings(DecimationReport& report) {
+  report.notes.push_back(
+      report.crossing == 0
+          ? "No face crosses or touches another, beside its neighbours."
+          : grouped(report.crossing) +
+                " faces cross or touch others, beside their neighbours, as they did before.");
+}
+
 }  // namespace curvdecim::detail

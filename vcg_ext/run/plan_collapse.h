@@ -102,6 +102,7 @@ inline std::optional<CollapsePlan> plan_collapse(const DecimationParams& params,
   plan.limits.topology_gives_way = !params.preserve_topology && !(params.max_error > 0.0);
   plan.limits.max_error = bound_in_box(params, input);
   plan.limits.max_error_one_sided = params.max_error_one_sided;
+  plan.limits.prevents_crossings = params.prevent_intersections;
   plan.rounding = input.rounding;
   plan.limits.attribute_weight = params.attribute_weight;
   plan.metric = quadric_plan(params, QuadricParams(), true);

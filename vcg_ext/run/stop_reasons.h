@@ -50,6 +50,9 @@ inline ReasonWords words_of(Rejection reason, const CollapseLimits& limits) {
       return {"a vertex of very many faces waits after a step that was refused or cost more", ""};
     case Rejection::TextureFlip:
       return {"a face would be turned over in the texture, or a chart would get larger there", ""};
+    case Rejection::Crossing:
+      return {"a face would cross another one",
+              "To go further, switch off Prevent intersections: then faces may cross."};
     case Rejection::VertexClass:
     case Rejection::LoopSplit: break;  // of vertex removal
   }
@@ -85,6 +88,7 @@ inline ReasonWords words_of(Rejection reason, const RemovalPlan&) {
     case Rejection::LoopSplit:
       return {"no line parts the loop around the vertex", other_way_advice};
     case Rejection::TextureFlip:
+    case Rejection::Crossing:
     case Rejection::HubAtRest: break;  // of edge collapse
   }
   return {"", ""};
