@@ -301,6 +301,8 @@ struct ClusteringParams : CommonParams {
   double cell_size = 0.0;  ///< largest diameter of a cell; no vertex moves further
   int target_faces = 0;    ///< instead of cell_size, this many faces, within 2 % or the nearest;
                            ///< 0: not used
+  double max_error = 0.0;  ///< smaller cells where a point of either surface would be further from
+                           ///< the other; alone: the largest cells; 0: no bound
   Representative representative = Representative::Quadric;
   MeanWeight mean_weight = MeanWeight::Area;
   bool manifold_edges = false;  ///< drop faces until no edge has more than two
@@ -311,6 +313,7 @@ struct ClusteringParams : CommonParams {
         CommonParams::fields(),
         std::tuple(Field("cell_size", &P::cell_size, at_least(0.0, length_unit)),
                    Field("target_faces", &P::target_faces, at_least(0.0, "faces")),
+                   Field("max_error", &P::max_error, at_least(0.0, length_unit)),
                    Field("representative", &P::representative),
                    Field("mean_weight", &P::mean_weight),
                    Field("manifold_edges", &P::manifold_edges)));

@@ -22,8 +22,8 @@ namespace curvdecim {
 /// attributes it has are carried. It is left exactly as it was when the parameters or the mesh
 /// cannot be used (throws InputError), when it is already small enough, and when `progress` asks to
 /// stop (the report says Cancelled). No vertex moves further than largest_move of the report, which
-/// is at most cell_size; what is thinner than a cell may vanish, and edges may get more than two
-/// faces.
+/// is at most cell_size. With max_error no point of either surface is further from the other;
+/// without it what is thinner than a cell may vanish. Edges may get more than two faces.
 ///
 /// Time O(n), 100 bytes of memory a vertex and 200 an occupied cell.
 template <class MeshType>
@@ -33,7 +33,7 @@ ClusteringReport decimate_vertex_clustering(MeshType& mesh, const ClusteringPara
   return reported<ClusteringReport>(counts_of(mesh), params, progress, [&](const auto& run) {
     clustering_times.begin_preparing(run.parallel.progress());
     const FlatMesh flat = read_flat(mesh, params.selected_only, run.parallel);
-    const auto plan = plan_clustering(params, flat);
+    const auto plan = plan_clustering(params, flat, rounding_in<MeshType>(flat.box));
     std::optional<InputVertices<MeshType>> input;
     if (params.keep_map) input.emplace(mesh, flat.box, run.parallel);
     if (!plan) return leave_alone(mesh, reached_target(params, flat), input, run);

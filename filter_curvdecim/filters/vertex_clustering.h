@@ -44,6 +44,7 @@ struct VertexClusteringFilter {
     return {cell_size_row(),
             faces_row(),
             target_fraction_row<Params>(),
+            bound_row(),
             representative_row(),
             manifold_edges_row(),
             selected_row<Params>(),
@@ -62,6 +63,7 @@ struct VertexClusteringFilter {
           result<Report, Params>("largest_move", length_unit,
                                  "the furthest that a vertex went to that of its cell",
                                  &Report::largest_move),
+          bound_result<Report, Params>(),
           cost_last_result<Report, Params>(
               "the largest cost of a cell; 0 without the representative Quadric")},
          loss_results(),
@@ -94,6 +96,16 @@ struct VertexClusteringFilter {
          "to 2 % more or less, or the nearest number that there is. 0: not used.",
          "0: not used. Wins over the size of a cell."},
         std::nullopt);
+  }
+
+  static ParameterRow<Params> bound_row() {
+    return row<Params>(
+        &Params::max_error, "MaxError", "Maximum error",
+        {"No point of the result is further from the original surface than this, and no point of "
+         "the original further from the result: where it would be, the cells are smaller than "
+         "asked for. With a <i>Size of a cell</i> of 0 they are as large as this allows. 0: no "
+         "bound.",
+         "No point of either surface is further from the other. 0: no bound."});
   }
 
   static ParameterRow<Params> representative_row() {

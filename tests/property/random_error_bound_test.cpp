@@ -4,6 +4,7 @@
 
 #include <random>
 
+#include "support/clustering.h"
 #include "support/decimation.h"
 #include "support/drawn_meshes.h"
 #include "support/properties.h"
@@ -80,6 +81,25 @@ TEST(ErrorBound, OfVertexRemovalIsNotBrokenByRandomMeshes) {
     const auto [after, report] = thinned(before, params);
     expect_within(report, params, before, after);
   }
+}
+
+TEST(ErrorBound, OfClusteringIsNotBrokenByRandomMeshes) {
+  constexpr int runs = 200;
+  int fewer = 0;
+  for (int seed = 0; seed < runs; ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    const Shape before = disturbed(drawn(random), random);
+    ClusteringParams params;
+    params.max_error = diagonal(before) * std::pow(10.0, uniform(random, -2.0, -0.7));
+    params.representative = static_cast<Representative>(random() % 5);
+    if (random() % 2 == 0) params.cell_size = 2.0 * params.max_error;
+    const auto [after, report] = clustered(before, params);
+    EXPECT_LE(sampled_distance(before, after), params.max_error * (1.0 + 1e-9));
+    EXPECT_LE(sampled_distance(before, after), report.max_error * (1.0 + 1e-9) + 1e-14);
+    fewer += after.face_count() < before.face_count();
+  }
+  EXPECT_GT(fewer, runs / 4);
 }
 
 TEST(ErrorBound, OnOneSideIsNotBrokenByRandomMeshes) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "vcg_ext/clustering/cell_search.h"
+#include "vcg_ext/clustering/cells_within.h"
 #include "vcg_ext/clustering/manifold_edges.h"
 #include "vcg_ext/clustering/representatives.h"
 #include "vcg_ext/parallel/parallel.h"
@@ -22,18 +23,14 @@ struct ClusteringPlan {
   MeanWeight mean_weight = MeanWeight::Area;
   double boundary_weight = 1.0;
   bool manifold_edges = false;  ///< drop faces until no edge has more than two
+  double max_error = 0.0;       ///< two-sided distance to the input; 0: no bound
+  double rounding = 0.0;        ///< of a vertex that is written, in the mesh's unit
 };
 
 /// What a vertex counts; empty: 1.
 struct ClusteringWeights {
   std::vector<double> mean;        // by vertex, above 0: in WeightedMean
   std::vector<double> importance;  // by vertex, above 0: a factor on the planes
-};
-
-/// What a clustering leaves of a mesh.
-struct Clustering {
-  Clusters clusters;
-  Representatives representatives;
 };
 
 /// Makes one vertex of all in a cell of a grid @cite rossignac1993, ciolczyk:
@@ -43,6 +40,7 @@ struct Clustering {
 ///   a face stays where its vertices are in three cells; one for each three
 ///   ManifoldEdges? drop faces at edges with more than two
 ///   one vertex a cell, at the representative
+///   MaxError? the largest cells, up to that size, that keep it             (cells_within.h)
 class ClusteringOperator {
  public:
   ClusteringOperator(const FlatMesh& mesh, const ClusteringPlan& plan,
@@ -51,6 +49,26 @@ class ClusteringOperator {
 
   /// Throws CancelRequest, and InputError where no face would be left.
   Clustering run() const {
+    if (plan_.max_error == 0.0) return unbounded();
+    const bool has_size = plan_.target > 0 || plan_.diameter > 0.0;
+    const double most =
+        has_size ? unbounded().clusters.diameter : CellGrid::largest_diameter(mesh_.half_size);
+    const auto at = [this](double diameter) {
+      return clustering_of(faces_between_cells(diameter));
+    };
+    std::optional<Clustering> clustering =
+        CellsWithin(mesh_, plan_.max_error, parallel_, at).run(most);
+    if (!clustering)
+      throw InputError(
+          "No size of the cells keeps max_error: thin parts vanish. Give a larger one.",
+          {"max_error"});
+    return *std::move(clustering);
+  }
+
+ private:
+  static constexpr double searched = 0.3;  // part of the time
+
+  Clustering unbounded() const {
     const auto cluster_at = [this](double size) { return faces_between_cells(size); };
     std::optional<Clusters> clusters =
         plan_.target > 0 ? CellSearch(mesh_, plan_.target, parallel_, cluster_at).run()
@@ -61,13 +79,16 @@ class ClusteringOperator {
           "cell_size.",
           {"cell_size"});
     parallel_.progress().set(searched);
-    Representatives representatives;
-    parallel_.progress().along(searched, 1.0, [&] { representatives = represent(*clusters); });
-    return {std::move(*clusters), std::move(representatives)};
+    std::optional<Clustering> clustering;
+    parallel_.progress().along(searched, 1.0,
+                               [&] { clustering = clustering_of(*std::move(clusters)); });
+    return *std::move(clustering);
   }
 
- private:
-  static constexpr double searched = 0.3;  // part of the time
+  Clustering clustering_of(Clusters clusters) const {
+    Representatives representatives = represent(clusters);
+    return {std::move(clusters), std::move(representatives)};
+  }
 
   Clusters faces_between_cells(double diameter) const {
     Clusters clusters = cluster(mesh_, diameter, parallel_);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "vcg_ext/guard/distance_to_input.h"
+#include "vcg_ext/guard/distances_to_surface.h"
 #include "vcg_ext/guard/reliance.h"
 #include "vcg_ext/guard/surface_change.h"
 
@@ -70,7 +71,7 @@ class SurfaceBound {
     const double from = largest_of(from_input);
     if (from > limit_) return false;
     for (int r = 0; r < input_.size(); ++r)
-      for (int f : used[r]) rely(r, f, from_input[r]);
+      for (int f : without_doubles(used[r])) rely(r, f, from_input[r]);
     const std::vector<double> to_input = distances_to_input(surface, faces, parallel);
     const double to = largest_of(to_input);
     if (to > limit_) return false;
@@ -165,9 +166,8 @@ class SurfaceBound {
 
  private:
   static constexpr int none = SurfacePoint::none;
-  /// Into which a triangle is cut; more are worth their time before the first collapse only.
-  static constexpr int few_parts = 200, many_parts = 5000;
-  static constexpr int block = 64;  // faces of the input that find each other's neighbours
+  /// Into which a triangle is cut; more are worth their time where all are asked about.
+  static constexpr int few_parts = 200;
 
   /// What a face of the input may rely on.
   struct Found {
@@ -207,23 +207,9 @@ class SurfaceBound {
   std::vector<double> distances_from_input(const Surface& surface, int faces,
                                            std::vector<std::vector<int>>& used,
                                            const Parallel& parallel) const {
-    constexpr Grain blocks{1, 1 << 8};
-    std::vector<double> distance(input_.size(), 0.0);
-    if (one_sided_) return distance;
+    if (one_sided_) return std::vector<double>(input_.size(), 0.0);
     const TriangleTree<Surface> tree(surface, faces, parallel);
-    const auto look = [&](int i) {
-      Cover cover;
-      int hint = none;  // of this block alone: with several nearest faces it decides
-      for (int r = i * block; r < std::min(input_.size(), (i + 1) * block); ++r) {
-        cover.add(ConvexPolygon(input_.triangle(r)));
-        NearInTree<Surface> near(tree, limit_, hint, used[r]);
-        distance[r] = cover.distance(limit_, many_parts, near).value_or(HUGE_VAL);
-        if (!used[r].empty()) hint = used[r].front();
-        drop_doubles(used[r]);
-      }
-    };
-    parallel.for_each((input_.size() + block - 1) / block, look, blocks);
-    return distance;
+    return distances_to_surface(input_, input_.size(), tree, limit_, &used, parallel);
   }
 
   /// By face of the surface.
@@ -303,14 +289,14 @@ class SurfaceBound {
     cover_.add(ConvexPolygon(input_.triangle(r)));
     const auto distance = cover_.distance(limit_, few_parts, NearInList(near_, limit_, used_));
     if (!distance) return HUGE_VAL;
-    drop_doubles(used_);
-    for (int f : used_) found_.push_back({r, f, *distance});
+    for (int f : without_doubles(used_)) found_.push_back({r, f, *distance});
     return *distance;
   }
 
-  static void drop_doubles(std::vector<int>& numbers) {
+  static std::vector<int>& without_doubles(std::vector<int>& numbers) {
     std::sort(numbers.begin(), numbers.end());
     numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+    return numbers;
   }
 
   const double limit_;

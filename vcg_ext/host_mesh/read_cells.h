@@ -71,7 +71,8 @@ template <class MeshType>
 CellBlend cell_blend(const MeshType& mesh, const FlatMesh& flat, const Clustering& clustering,
                      Representative representative, const ClusteringWeights& weights,
                      const Parallel& parallel) {
-  const auto& [clusters, representatives] = clustering;
+  const Clusters& clusters = clustering.clusters;
+  const Representatives& representatives = clustering.representatives;
   const bool vary = has_varying_attributes(mesh, vertices_in_use(flat, parallel), parallel);
   if (!vary && !vcg::tri::HasPerVertexNormal(mesh))
     return CellBlend::of_vertices(representatives.vertex);

@@ -190,4 +190,11 @@ FlatMesh read_flat(const MeshType& mesh, bool selected_only, const Parallel& par
   return FlatReader<MeshType>(mesh, selected_only, degenerate, parallel).read();
 }
 
+/// How far a vertex moves at most when it is written as the host's numbers are, in the mesh's unit.
+template <class MeshType>
+double rounding_in(const UnitBox& box) {
+  constexpr double unit = 0.5 * std::numeric_limits<typename MeshType::ScalarType>::epsilon();
+  return unit * (box.center.norm() + box.diagonal);
+}
+
 }  // namespace curvdecim::detail

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -149,13 +148,6 @@ WorkingCopy read_mesh(const MeshType& mesh, const ReadingPlan& plan, const Paral
 template <class MeshType>
 Counts counts_of(const MeshType& mesh) {
   return {mesh.fn, mesh.vn};
-}
-
-/// How far a vertex moves at most when it is written as the host's numbers are, in the mesh's unit.
-template <class MeshType>
-double rounding_in(const UnitBox& box) {
-  constexpr double unit = 0.5 * std::numeric_limits<typename MeshType::ScalarType>::epsilon();
-  return unit * (box.center.norm() + box.diagonal);
 }
 
 /// copy: as it was read.

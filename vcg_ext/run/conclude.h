@@ -73,6 +73,9 @@ inline void conclude(const Clustering& clustering, const ClusteringPlan& plan, c
   report.crowded = clusters.crowded;
   report.duplicate =
       clusters.crossing - clusters.crowded - static_cast<std::int64_t>(clusters.faces.size());
+  if (plan.max_error > 0.0)
+    report.max_error = clustering.distance * mesh.box.diagonal + plan.rounding;
+  if (clustering.is_bounded) return void(report.stopped_by = StopReason::ErrorBound);
   judge_target(plan.target, static_cast<int>(clusters.faces.size()), report);
   judge_size(plan, mesh, clusters, report);
 }

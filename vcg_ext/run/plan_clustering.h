@@ -39,13 +39,16 @@ inline ReachedTarget reached_target(const ClusteringParams& params, const FlatMe
           target_faces(params, mesh)};
 }
 
-/// nullopt: the mesh is small enough as it is. Throws InputError where the cells are too small.
+/// nullopt: the mesh is small enough as it is. rounding: of a vertex that is written, in the mesh's
+/// unit. Throws InputError where the cells are too small.
 inline std::optional<ClusteringPlan> plan_clustering(const ClusteringParams& params,
-                                                     const FlatMesh& mesh) {
+                                                     const FlatMesh& mesh, double rounding) {
   ClusteringPlan plan;
   plan.target = target_faces(params, mesh);
   if (plan.target >= mesh.face_count) return std::nullopt;
-  if (plan.target == 0) plan.diameter = cell_diameter(params, mesh);
+  if (plan.target == 0 && params.cell_size > 0.0) plan.diameter = cell_diameter(params, mesh);
+  plan.max_error = bound_in_box(params.max_error, rounding, mesh.box.diagonal);
+  plan.rounding = rounding;
   plan.representative = params.representative;
   plan.mean_weight = params.mean_weight;
   plan.boundary_weight = params.boundary_weight;

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <limits>
 #include <optional>
 #include <variant>
 
@@ -83,13 +82,6 @@ inline Timetable collapse_times(const CollapsePlan& plan) {
           sweep * plan.refine_sweeps, 140.0 * faces};
 }
 
-/// With room for the rounding of what is written; 0: no bound.
-inline double bound_in_box(const DecimationParams& params, const InputFacts& input) {
-  if (params.max_error == 0.0) return 0.0;
-  constexpr double least = std::numeric_limits<double>::min();
-  return std::max(least, (params.max_error - input.rounding) / input.diagonal);
-}
-
 /// What every run of collapses has, whatever its metric; nullopt: the mesh is small enough.
 inline std::optional<CollapsePlan> plan_collapse(const DecimationParams& params,
                                                  const InputFacts& input) {
@@ -100,7 +92,7 @@ inline std::optional<CollapsePlan> plan_collapse(const DecimationParams& params,
   plan.limits.faces = {params.preserve_normal, params.normal_angle};
   plan.limits.keeps_boundary = params.preserve_boundary;
   plan.limits.topology_gives_way = !params.preserve_topology && !(params.max_error > 0.0);
-  plan.limits.max_error = bound_in_box(params, input);
+  plan.limits.max_error = bound_in_box(params.max_error, input.rounding, input.diagonal);
   plan.limits.max_error_one_sided = params.max_error_one_sided;
   plan.limits.prevents_crossings = params.prevent_intersections;
   plan.rounding = input.rounding;

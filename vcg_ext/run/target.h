@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 
 #include "vcg_ext/mesh/tally.h"
@@ -29,6 +30,14 @@ struct InputFacts {
 /// What is known of them before the mesh is read.
 inline InputFacts facts_ahead(const Counts& all) {
   return {all, all.faces, all.faces, 0, all.vertices, 1.0, 0.0};
+}
+
+/// A bound in the box of diagonal 1, with room for the rounding of what is written, in the mesh's
+/// unit; 0: none.
+inline double bound_in_box(double max_error, double rounding, double diagonal) {
+  if (max_error == 0.0) return 0.0;
+  constexpr double least = std::numeric_limits<double>::min();
+  return std::max(least, (max_error - rounding) / diagonal);
 }
 
 /// The faces that a fraction of some faces keeps: at least one.

@@ -98,9 +98,11 @@ inline void require_target(const VertexRemovalParams& params) {
 }
 
 inline void require_target(const ClusteringParams& params) {
-  if (params.cell_size == 0.0 && params.target_faces == 0 && params.target_fraction == 0.0)
-    throw InputError("No target is given. Set cell_size, target_faces or target_fraction.",
-                     {"cell_size", "target_faces", "target_fraction"});
+  if (params.cell_size == 0.0 && params.target_faces == 0 && params.target_fraction == 0.0 &&
+      params.max_error == 0.0)
+    throw InputError(
+        "No target is given. Set cell_size, target_faces, target_fraction or max_error.",
+        {"cell_size", "target_faces", "target_fraction", "max_error"});
 }
 
 }  // namespace curvdecim::detail
