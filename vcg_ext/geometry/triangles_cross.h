@@ -60,11 +60,11 @@ inline Sides sides_of(const CornerRefs& s, const CornerRefs& t, int shared, doub
 inline bool only_shares_corners(const Triangle& s, const OrientedPlane& plane, const Triangle& t) {
   bool has_front = false, has_back = false;
   for (const Vector3& p : t) {
+    if (are_in_one_place(p, s[0]) || are_in_one_place(p, s[1]) || are_in_one_place(p, s[2]))
+      continue;
     const int side = plane.side(p);
+    if (side == 0) return false;
     has_front = has_front || side > 0, has_back = has_back || side < 0;
-    if (side == 0 && !are_in_one_place(p, s[0]) && !are_in_one_place(p, s[1]) &&
-        !are_in_one_place(p, s[2]))
-      return false;
   }
   return has_front != has_back;
 }
