@@ -14,12 +14,14 @@ from pathlib import Path
 import igl
 import matplotlib
 import numpy as np
-from layer_error import ErrorMeter
+from decimators import Outcome
+from layer_error import ErrorMeter, meter_of
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.cm import ScalarMappable
 from matplotlib.colors import Normalize
 from matplotlib.figure import Figure
+from models import Model
 from palette import BACKGROUND, FAINT, FAINT_INK, INK
 from panels import CELL_PIXELS, Paint, Panel, View
 from picture import COLOR_MAP, draw
@@ -66,6 +68,17 @@ def with_errors(meter: ErrorMeter, vertices: Floats, faces: Ints, title: str) ->
     caption = f"{len(faces):,} faces, RMS {error.rms:#.2g} %, max {error.max:#.2g} %"
     of_fine = meter(*fine).at_simplified
     return Shown(vertices, faces, title, caption, fine, of_fine, error.at_original)
+
+
+def close_up(plugin: Path, model: Model, region: str, outcome: Outcome, title: str) -> Shown:
+    """What a simplification has left in a region of the model, with the errors there."""
+    mesh = outcome.vertices, outcome.faces
+    there = ErrorMeter(plugin, *model.part(region), model.diagonal)(*mesh)
+    part = model.part(region, mesh)
+    fine = finely(*part)
+    caption = f"{len(part[1]):,} faces here, RMS {there.rms_of_original:#.2g} %"
+    of_fine = meter_of(plugin, model)(*fine).at_simplified
+    return Shown(*part, title, caption, fine, of_fine, there.at_original)
 
 
 def finely(vertices: Floats, faces: Ints, least: int = _FINE) -> tuple[Floats, Ints]:
@@ -197,7 +210,10 @@ def _draw_legend(part, axes: Axes, top: float) -> None:
     axes.set_axis_off()
     bar = axes.inset_axes((0, 0, 0.9, 0.16))
     legend = part.colorbar(
-        ScalarMappable(Normalize(0, top), COLOR_MAP), cax=bar, orientation="horizontal", extend="max"
+        ScalarMappable(Normalize(0, top), COLOR_MAP),
+        cax=bar,
+        orientation="horizontal",
+        extend="max",
     )
     legend.set_label(_DISTANCE, fontsize=8.5)
     bar.tick_params(colors=INK, labelsize=8)

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -19,6 +18,7 @@ from decimators import Decimator, Outcome, race
 from models import Model
 from surface import Floats, Ints
 
+_FILTER = "get_simplification_error"
 # All of them: what is not given is taken from the last call.
 _PARAMETERS = {
     "originalmesh": 0,
@@ -74,7 +74,7 @@ class ErrorMeter:
         layers = pymeshlab.MeshSet(verbose=False)
         for each in ((self._vertices, self._faces), (vertices, faces)):
             layers.add_mesh(_mesh(*each))
-        told = layers.apply_filter("get_simplification_error", **_PARAMETERS)
+        told = layers.apply_filter(_FILTER, **_PARAMETERS)
         unit = (self._diagonal or told["diagonal"]) / 100
         original, simplified = (layers.mesh(n).vertex_scalar_array() / unit for n in (0, 1))
         return _error(told, unit, original[np.unique(self._faces)], simplified)
@@ -103,9 +103,10 @@ def region_rms(plugin: Path, model: Model, region: str, outcome: Outcome) -> flo
     return meter(outcome.vertices, outcome.faces).rms_of_original
 
 
-@cache
 def _load(plugin: Path) -> None:
-    pymeshlab.load_plugin(str(plugin.resolve()))
+    """Once a process: PyMeshLab refuses a second time."""
+    if _FILTER not in pymeshlab.filter_list():
+        pymeshlab.load_plugin(str(plugin.resolve()))
 
 
 def _mesh(vertices: Floats, faces: Ints) -> pymeshlab.Mesh:

@@ -10,6 +10,7 @@ import tables
 
 LOST = "lost"  # printed, but not in the text of the source that we have
 NOT_PRINTED = "not printed"
+NOTHING = "-"
 NO_MESH = "no mesh like it at hand"
 
 
@@ -37,7 +38,7 @@ def beside(
 
 
 def _cells(row: Row, count: int) -> list[str]:
-    missing = ["–"] * (count - len(row.ours))
+    missing = [NOTHING] * (count - len(row.ours))
     return [row.mesh, *row.printed, row.our_mesh, *row.ours, *missing]
 
 
