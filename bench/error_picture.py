@@ -11,7 +11,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-import igl
 import matplotlib
 import numpy as np
 from decimators import Outcome
@@ -26,10 +25,10 @@ from palette import BACKGROUND, FAINT, FAINT_INK, INK
 from panels import CELL_PIXELS, Paint, Panel, View
 from picture import COLOR_MAP, draw
 from PIL import Image, ImageChops
-from surface import Floats, Ints
+from surface import Floats, Ints, Surface
 
-_INCHES_A_COLUMN, _DPI = 3.7, 110
-_HISTOGRAM_INCHES, _TITLE_INCHES, _FOOT_INCHES = 0.85, 0.62, 0.55
+_INCHES_A_COLUMN, _DPI = 3.2, 110
+_HISTOGRAM_INCHES, _TITLE_INCHES, _FOOT_INCHES = 0.95, 0.62, 0.55
 _SIDE_INCHES, _GAP_INCHES = 0.2, 0.4
 _MARGIN_PIXELS = 8  # around what a row shows
 _TOP_QUANTILE = 0.99  # of the worst result's errors: the end of a row's scale
@@ -83,9 +82,10 @@ def close_up(plugin: Path, model: Model, region: str, outcome: Outcome, title: s
 
 def finely(vertices: Floats, faces: Ints, least: int = _FINE) -> tuple[Floats, Ints]:
     """The same surface with each face cut into four, until it has at least so many faces."""
-    while 0 < len(faces) < least:
-        vertices, faces = igl.upsample(vertices, faces, 1)
-    return vertices, faces
+    surface = Surface(vertices, faces)
+    while len(surface.faces) < least:
+        surface = surface.quartered()
+    return surface.vertices, surface.faces
 
 
 def draw_errors(path: Path, rows: Sequence[tuple[View, Sequence[Shown]]]) -> None:
@@ -198,7 +198,7 @@ def _draw_row(part, shown: Sequence[Shown], pictures: Sequence[Image.Image], col
 def _show(axes: Axes, shown: Shown, picture: Image.Image) -> None:
     axes.imshow(picture, aspect="auto")
     axes.set_axis_off()
-    axes.set_title(shown.title, loc="left", fontsize=12, pad=20)
+    axes.set_title(shown.title, loc="left", fontsize=12.5, pad=20)
     above = {"xytext": (0, 6), "textcoords": "offset points"}
     axes.annotate(
         shown.caption, (0, 1), xycoords="axes fraction", fontsize=9.5, color=FAINT_INK, **above

@@ -101,10 +101,15 @@ def test_colours_are_those_of_the_filter() -> None:
     assert np.ptp(ours[:, :3], axis=0).min() > 0.9
 
 
-def test_finer_faces_are_the_same_surface() -> None:
-    vertices, faces = finely(SQUARE, HALVES, least=100)
-    assert len(faces) == 128
-    assert Surface(vertices, faces).areas.sum() == pytest.approx(12)
+def test_finer_faces_are_the_same_surface_also_where_three_share_an_edge() -> None:
+    fin = np.concatenate([SQUARE, [(0, 0, 1)]])
+    three = np.concatenate([HALVES, [(0, 2, 4)]])
+    vertices, faces = finely(fin, three, least=100)
+    assert len(faces) == 192
+    surface = Surface(vertices, faces)
+    assert surface.areas.sum() == pytest.approx(12 + 2.5)
+    assert np.abs(Surface(fin, three).closest(vertices).distance).max() < 1e-12
+    assert np.count_nonzero(surface.edge_uses == 3) == 8
 
 
 def test_the_scale_is_one_for_a_row_and_leaves_out_a_hundredth() -> None:
