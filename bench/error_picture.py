@@ -32,7 +32,7 @@ _HISTOGRAM_INCHES, _TITLE_INCHES, _FOOT_INCHES = 0.95, 0.62, 0.55
 _SIDE_INCHES, _GAP_INCHES = 0.2, 0.4
 _MARGIN_PIXELS = 8  # around what a row shows
 _TOP_QUANTILE = 0.99  # of the worst result's errors: the end of a row's scale
-_BINS = 48
+_BINS, _TICKS = 48, 5
 _FINE = 40_000  # faces from which a mesh has points enough to be coloured
 _INKS = 256
 _DISTANCE = "distance, % of the diagonal"
@@ -216,6 +216,7 @@ def _draw_legend(part, axes: Axes, top: float) -> None:
         extend="max",
     )
     legend.set_label(_DISTANCE, fontsize=8.5)
+    bar.locator_params(axis="x", nbins=_TICKS)
     bar.tick_params(colors=INK, labelsize=8)
 
 
@@ -231,6 +232,7 @@ def _draw_histogram(axes: Axes, errors: Floats, top: float, tallest: float) -> N
     axes.bar(edges, _shares(errors, top), top / _BINS, align="edge", color=colors)
     axes.set(xlim=(0, top), ylim=(0, 1.05 * tallest), facecolor=BACKGROUND)
     axes.set_xlabel(_DISTANCE, fontsize=8.5)
+    axes.locator_params(axis="x", nbins=_TICKS)
     axes.tick_params(colors=INK, labelsize=8)
     axes.spines[["top", "right"]].set_visible(False)
     axes.spines[["bottom", "left"]].set_color(FAINT)
