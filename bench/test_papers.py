@@ -119,6 +119,8 @@ def test_finer_faces_are_the_same_surface_also_where_three_share_an_edge() -> No
     vertices, faces = finely(fin, three, least=100)
     assert len(faces) == 192
     surface = Surface(vertices, faces)
+    directed = surface.areas[:, None] * surface.normals
+    assert directed.sum(axis=0) == pytest.approx((2, -1.5, 12))  # none is turned over
     assert surface.areas.sum() == pytest.approx(12 + 2.5)
     assert np.abs(Surface(fin, three).closest(vertices).distance).max() < 1e-12
     assert np.count_nonzero(surface.edge_uses == 3) == 8

@@ -95,6 +95,12 @@ class Subject:
     def name(self) -> str:
         return self.model.case_name(self.target)
 
+    def place(self) -> str:
+        """What it is beside the paper's row."""
+        if self.paper == NOTHING:
+            return f"{self.name}, added"
+        return self.name if self.same else instead(self.name)
+
 
 @dataclass(frozen=True)
 class Case:
@@ -190,8 +196,8 @@ def paper_table(settings: str, done: Sequence[Case]) -> tables.Table:
     rows = []
     for case in done:
         subject = case.subject
-        name = subject.name if subject.same else instead(subject.name)
-        rows.append(Row(subject.paper, _printed(subject), name, _cells(case, settings)))
+        cells = _cells(case, settings)
+        rows.append(Row(subject.paper, _printed(subject), subject.place(), cells))
     title = f"Table 1 and the figures' cases. Settings: {settings}. {JUDGED}. % of the diagonal"
     return beside(title, ("max", "mean"), ours, rows)
 
