@@ -14,7 +14,7 @@ from decimators import Decimator, Outcome, race
 from judge import Figures, Judge, Region
 from meshes import read_mesh, write_mesh
 from numpy.typing import NDArray
-from surface import Floats, Ints
+from surface import Floats, Ints, Surface
 
 Box = Sequence[tuple[float, float]]
 """Three ranges, one an axis, as fractions 0..1 of the bounding box."""
@@ -77,6 +77,16 @@ class Model:
             return np.any(hits, axis=0)
 
         return inside
+
+    def part(self, region: str, mesh: tuple[Floats, Ints] | None = None) -> tuple[Floats, Ints]:
+        """The faces whose middle is in the region, and their vertices alone.
+
+        mesh: another one in the same coordinates, as a simplification; None: the model itself.
+        """
+        vertices, faces = mesh or self._arrays
+        inside = self._inside(self.regions[region])(vertices[faces].mean(axis=1))
+        part = Surface(vertices, faces[inside]).without_unreferenced()
+        return part.vertices, part.faces
 
     def run(self, target: int, contenders: Sequence[Decimator], repeats: int = 1) -> list[Result]:
         """Every contender to `target` faces; times are medians of `repeats` turns."""

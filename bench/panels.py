@@ -13,6 +13,15 @@ _SIDE_MARGIN, _FOOT_MARGIN, _HEAD_MARGIN = 0.06, 0.05, 0.17  # of the cell; the 
 
 
 @dataclass(frozen=True)
+class Paint:
+    """Colours on the surface of a mesh, at points of their own: its faces cut into smaller ones."""
+
+    vertices: Floats
+    faces: Ints
+    values: Floats  # (n,), 0 to 1, at the vertices
+
+
+@dataclass(frozen=True)
 class Panel:
     """One mesh: (n, 3) vertices, (m, 3) faces, a title and a line below it."""
 
@@ -20,7 +29,7 @@ class Panel:
     faces: Ints
     title: str
     caption: str
-    values: Floats | None = None  # (n,), 0 to 1: colours the vertices, instead of drawing edges
+    paint: Paint | None = None  # instead of the colour of its place in the row
 
 
 @dataclass(frozen=True)

@@ -9,12 +9,17 @@ from typing import Any
 
 import numpy as np
 import pyvista
+from matplotlib.colors import LinearSegmentedColormap
 from palette import BACKGROUND, COLUMNS, DENSE, EDGES, FAINT_INK, INK
-from panels import CELL_PIXELS, Panel, View, fit
+from panels import CELL_PIXELS, Paint, Panel, View, fit
 from surface import Floats
 from vtkmodules.vtkCommonCore import vtkLogger
 
-COLOR_MAP = "turbo"
+# That of the filter get_simplification_error, which is MeshLab's: red for none, blue for much.
+COLOR_MAP = LinearSegmentedColormap.from_list("error", ("red", "yellow", "lime", "cyan", "blue"))
+_MATTE = {"smooth_shading": False, "ambient": 0.12, "specular": 0.1}
+_PAINTED_EDGES = {"color": EDGES, "opacity": 0.35, "line_width": 1.0}
+_CROWDED = 6_000  # faces from which edges would hide the paint
 
 
 def draw(path: Path, rows: Sequence[tuple[View, Sequence[Panel]]]) -> None:
@@ -43,8 +48,12 @@ def draw(path: Path, rows: Sequence[tuple[View, Sequence[Panel]]]) -> None:
 
 def _add(plotter: pyvista.Plotter, panel: Panel, color: str) -> None:
     mesh = pyvista.PolyData.from_regular_faces(panel.vertices, panel.faces)
-    look = _edges(color, len(panel.faces) > DENSE) if panel.values is None else _map(panel.values)
-    plotter.add_mesh(mesh, smooth_shading=False, ambient=0.12, specular=0.1, **look)
+    if panel.paint:
+        _add_paint(plotter, panel.paint)
+        if len(panel.faces) < _CROWDED:
+            plotter.add_mesh(mesh, style="wireframe", **_PAINTED_EDGES)
+    else:
+        plotter.add_mesh(mesh, **_MATTE, **_edges(color, len(panel.faces) > DENSE))
     for line, top, size, ink in (
         (panel.title, 0.925, 16, INK),
         (panel.caption, 0.875, 12, FAINT_INK),
@@ -64,8 +73,10 @@ def _edges(color: str, dense: bool) -> dict[str, Any]:
     }
 
 
-def _map(values: Floats) -> dict[str, Any]:
-    return {"scalars": values, "cmap": COLOR_MAP, "clim": (0.0, 1.0), "show_scalar_bar": False}
+def _add_paint(plotter: pyvista.Plotter, paint: Paint) -> None:
+    mesh = pyvista.PolyData.from_regular_faces(paint.vertices, paint.faces)
+    scale = {"cmap": COLOR_MAP, "clim": (0.0, 1.0), "show_scalar_bar": False}
+    plotter.add_mesh(mesh, scalars=paint.values, **_MATTE, **scale)
 
 
 def _aim(plotter: pyvista.Plotter, view: View, vertices: Floats) -> None:

@@ -30,20 +30,10 @@ def octasphere(radius: float, levels: int = 5) -> Mesh:
     )
     equator = ((0, 2), (2, 1), (1, 3), (3, 0))
     faces = [(a, b, 4) for a, b in equator] + [(b, a, 5) for a, b in equator]
+    ball = Surface(vertices, faces)
     for _ in range(levels):
-        vertices, faces = split(vertices, np.array(faces))
-    return radius * vertices / np.linalg.norm(vertices, axis=1)[:, None], np.array(faces)
-
-
-def split(vertices: Floats, faces: Ints) -> Mesh:
-    """Every triangle into four."""
-    edges = np.sort(np.concatenate([faces[:, [1, 2]], faces[:, [2, 0]], faces[:, [0, 1]]]), 1)
-    ends, index = np.unique(edges, axis=0, return_inverse=True)
-    a, b, c = faces.T
-    bc, ca, ab = len(vertices) + index.reshape(3, -1)
-    middle = vertices[ends].mean(axis=1)
-    quarters = [(a, ab, ca), (ab, b, bc), (ca, bc, c), (ab, bc, ca)]
-    return np.concatenate([vertices, middle]), np.concatenate([np.stack(q, 1) for q in quarters])
+        ball = ball.quartered()
+    return radius * ball.vertices / np.linalg.norm(ball.vertices, axis=1)[:, None], ball.faces
 
 
 def judged(original: Mesh, simplified: Mesh) -> Figures:

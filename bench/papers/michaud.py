@@ -1,26 +1,26 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Michaud, Mellado and Paulin 2017: the comparison of their poster, next to what our filter gives.
 
-    python bench/papers/michaud.py [--plugin FILE] [--save]
+    python bench/papers/michaud.py [--plugin FILE] [--save] [--times]
 
 The poster simplifies by interpolated algebraic spheres. Its claim: more vertices with a low error
-than by plain quadrics; it shows the bunny at 12,000 faces and fandisk, coloured by error, with
-histograms.
+than by plain quadrics. It shows its human at 8,000 faces and its bunny at 12,000, coloured by
+error, with histograms, and fertility at 2,000 faces and fandisk without. It prints no figure.
 
-What differs from the poster: its human and fertility are not available; the horse and rocker-arm
-stand in where ../shared/meshes has them, as it has fandisk. The poster gives no numbers, nor the
-number of faces of its fandisk. Plain quadrics are Garland and Heckbert's, accumulated, planes by
+What differs from the poster: its human and fertility are not available; the horse and rocker-arm go
+to as many faces in their place, where ../shared/meshes has them, as it has fandisk, whose number of
+faces the poster does not say. Plain quadrics are Garland and Heckbert's, accumulated, planes by
 area, with our guards.
-A vertex error is the distance from a vertex to the other surface, in % of the diagonal. Those of
-the original's vertices tell how near the result comes to it; those of the simplification's tell
-where its own vertices lie. A surface that is as far inside as outside, which is nearest, has its
-vertices off the original; the poster's has them on it. Curvature is the mean one, times the
-diagonal, at 200,000 points of the original and the nearest ones of the result. Times are medians of
-three runs on one thread, of the filter as PyMeshLab calls it.
+Errors are those of our filter get_simplification_error, in % of the diagonal; the error of a vertex
+is the quality that it writes, the distance to the other surface. Those of the original's vertices
+tell how near the result comes to it; those of the simplification's tell where its own vertices lie.
+A surface that is as far inside as outside, which is nearest, has its vertices off the original; the
+poster's has them on it. Curvature is the mean one, times the diagonal, at 200,000 points of the
+original and the nearest ones of the result. Times are medians of three runs on one thread.
 
-Ends with 1 when the default does not have a lower RMS error than plain quadrics on every model and
-than the preset Balanced on the smooth ones, no smaller shares of the original's vertices below 0.1
-and 0.05 %, and a lower curvature error on the smooth models.
+Ends with 1 when the default does not have a lower RMS error than plain quadrics on every model, no
+smaller share of the original's vertices below 0.05 %, and a lower curvature error on the smooth
+models.
 """
 
 from __future__ import annotations
@@ -33,18 +33,20 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
 import tables
-from decimators import Decimator, curvdecim, spheres
-from error_picture import Shown, draw_errors
-from fidelity import Fidelity, FidelityJudge, share_below
-from meshes import REPOSITORY, shared_folder, shipped
-from models import Model, Result
+from decimators import Decimator, curvdecim, race, spheres
+from error_picture import Shown, as_input, with_errors
+from fidelity import CurvatureJudge, share_below
+from layer_error import LayerError, Measured, measure, meter_of
+from meshes import shared_folder, shipped
+from models import Model
 from panels import View
-from paper_options import paper_options
-from workers import FilterError
+from paper_script import PictureRows, Script, Study
+from printed import Row, beside, instead
 
 LIMITS = (0.1, 0.05)  # % of the diagonal
-REPEATS = 3
+REPEATS = 3  # of the timed runs
 PLAIN, BALANCED, OURS, POSTER = "Quadrics", "Balanced", "Spheres", "Poster mode"
+HISTOGRAM = "a histogram"
 
 # Garland and Heckbert's algorithm.
 PLAIN_SETTINGS = {
@@ -58,63 +60,62 @@ POSTER_SETTINGS = {"energy": "Poster", "placement": "OnSphereAlongEdge"}
 
 @dataclass(frozen=True)
 class Subject:
-    """A model of the comparison; smooth: it has no sharp edges."""
+    """A model of the comparison.
 
+    poster: as the poster names it and its faces. same: it is that mesh, as far as the poster says.
+    smooth: it has no sharp edges.
+    """
+
+    poster: str
+    printed: str
     model: Model
     target: int
     view: View
+    same: bool = False
     smooth: bool = True
 
 
 @dataclass(frozen=True)
-class Run:
-    """A result with what both judges say of it."""
-
-    result: Result
-    fidelity: Fidelity
-
-
-@dataclass(frozen=True)
 class Case:
-    """All runs on a model, by name."""
+    """All runs on a model, by name, and the curvature errors of their results."""
 
     subject: Subject
-    runs: dict[str, Run]
+    runs: dict[str, Measured]
+    curvature: dict[str, float]
 
     @property
     def name(self) -> str:
         return self.subject.model.case_name(self.subject.target)
 
-    def rms(self, run: str) -> float:
-        return self.runs[run].result.figures.rms
+    def error(self, run: str) -> LayerError:
+        return self.runs[run].error
+
+    def share(self, run: str) -> float:
+        """Of the original's vertices, with an error below the lower limit."""
+        return share_below(self.error(run).at_original, LIMITS[1])
 
     def holds(self) -> bool:
         """The verdict, as this file's head states it."""
-        ours, plain = self.runs[OURS].fidelity, self.runs[PLAIN].fidelity
-        near = all(
-            share_below(ours.of_original, limit) >= share_below(plain.of_original, limit)
-            for limit in LIMITS
-        )
-        if not self.subject.smooth:
-            return near and self.rms(OURS) <= self.rms(PLAIN)
-        return (
-            near
-            and ours.curvature < plain.curvature
-            and self.rms(OURS) <= min(self.rms(PLAIN), self.rms(BALANCED))
-        )
+        near = self.share(OURS) >= self.share(PLAIN)
+        lower = self.error(OURS).rms < self.error(PLAIN).rms
+        alike = self.curvature[OURS] < self.curvature[PLAIN] or not self.subject.smooth
+        return near and lower and alike
 
 
 def subjects() -> list[Subject]:
     """The poster's models, or what stands in for them, as far as they are at hand."""
-    found = [Subject(Model("bunny", shipped("bunny.obj")), 12_000, View((0.1, 0.15, 1.0)))]
-    for file, target, view, smooth in (
-        ("fandisk.obj", 1_294, View((0.6, 0.5, 1.0)), False),
-        ("horse.ply", 9_696, View((1.0, 0.25, 0.3), (0.0, 0.0, 1.0)), True),
-        ("rocker-arm.obj", 4_000, View((0.3, 1.0, 0.5), (0.0, 0.0, 1.0)), True),
+    bunny_view, z = View((0.1, 0.15, 1.0)), (0.0, 0.0, 1.0)
+    bunny = Model("bunny", shipped("bunny.obj"))
+    found = [Subject("bunny, to 12,000", HISTOGRAM, bunny, 12_000, bunny_view, same=True)]
+    for poster, printed, file, target, view, same in (
+        ("human, to 8,000", HISTOGRAM, "horse.ply", 8_000, View((1.0, 0.25, 0.3), z), False),
+        ("fertility, to 2,000", "views", "rocker-arm.obj", 2_000, View((0.3, 1.0, 0.5), z), False),
+        ("fandisk", "views", "fandisk.obj", 1_294, View((0.6, 0.5, 1.0)), True),
     ):
         path = shared_folder() / file
         if path.is_file():
-            found.append(Subject(Model(path.stem, path), target, view, smooth))
+            model = Model(path.stem, path)
+            found.append(Subject(poster, printed, model, target, view, same, file != "fandisk.obj"))
     return found
 
 
@@ -128,102 +129,117 @@ def contenders(plugin: Path) -> list[Decimator]:
 
 
 def run_case(plugin: Path, subject: Subject) -> Case:
-    model, runs = subject.model, contenders(plugin)
-    judge = FidelityJudge(model.vertices, model.faces)
-    results = model.run(subject.target, runs, REPEATS)
-    return Case(
-        subject,
-        {
-            run.name: Run(result, judge(result.outcome.vertices, result.outcome.faces))
-            for run, result in zip(runs, results, strict=True)
-        },
-    )
+    model = subject.model
+    runs = measure(plugin, model, subject.target, contenders(plugin))
+    judge = CurvatureJudge(model.vertices, model.faces)
+    outcomes = {name: run.outcome for name, run in runs.items()}
+    curvature = {name: judge(each.vertices, each.faces) for name, each in outcomes.items()}
+    return Case(subject, runs, curvature)
+
+
+# --- tables ---------------------------------------------------------------------------------------
+
+
+def poster_table(done: Sequence[Case]) -> tables.Table:
+    """What the poster shows, and the figures that it leaves out."""
+    runs = (PLAIN, POSTER, OURS)
+    figures = (f"below {LIMITS[1]} %", "RMS", "max")
+    rows = []
+    for case in done:
+        shares = [f"{100 * case.share(run):.2f}" for run in runs]
+        rms = [f"{case.error(run).rms:.4f}" for run in runs]
+        largest = [f"{case.error(run).max:.3f}" for run in runs]
+        name = case.name if case.subject.same else instead(case.name)
+        printed = (case.subject.printed, "no figures")
+        row = [" / ".join(each) for each in (shares, rms, largest)]
+        rows.append(Row(case.subject.poster, printed, name, row))
+    title = f"The poster's models: {' / '.join(runs)}; vertices of the original in %, distances in"
+    return beside(f"{title} % of the diagonal", ("shown", "errors"), figures, rows)
 
 
 def share_table(title: str, done: Sequence[Case], direction: str) -> tables.Table:
-    """direction: the field of Fidelity."""
+    """direction: the field of LayerError."""
     runs = (PLAIN, BALANCED, OURS, POSTER)
     headings = ("model", *(f"{run}, below {limit} %" for limit in LIMITS for run in runs))
     table = tables.table(title, headings)
     for case in done:
-        errors = [getattr(case.runs[run].fidelity, direction) for run in runs]
+        errors = [getattr(case.error(run), direction) for run in runs]
         shares = [share_below(each, limit) for limit in LIMITS for each in errors]
         table.add_row(case.name, *(f"{100 * share:.2f}" for share in shares))
     return table
 
 
 def error_table(done: Sequence[Case]) -> tables.Table:
-    headings = ("model", "run", "RMS", "/ quadrics", "/ Balanced", "maximum", "curvature", "time")
-    table = tables.table(
-        "RMS and maximum in % of the diagonal, curvature error, time as a ratio to Balanced",
-        headings,
-    )
+    headings = ("model", "run", "RMS", "/ quadrics", "/ Balanced", "mean", "maximum")
+    headings += ("most curved fifth", "normals, degrees", "curvature")
+    table = tables.table("Distances in % of the diagonal, errors of normals, curvature", headings)
     for case in done:
-        for name, run in case.runs.items():
-            figures, time = run.result.figures, run.result.milliseconds
-            ratio = time / case.runs[BALANCED].result.milliseconds
-            over_plain, over_balanced = (case.rms(name) / case.rms(x) for x in (PLAIN, BALANCED))
-            ratios = f"{over_plain:.3f}", f"{over_balanced:.3f}"
-            table.add_row(
-                case.name,
-                name,
-                f"{figures.rms:.5f}",
-                *ratios,
-                f"{figures.max:.3f}",
-                f"{run.fidelity.curvature:.3f}",
-                f"{ratio:.2f}",
-            )
+        for run in case.runs:
+            table.add_row(case.name, run, *_error_cells(case, run))
     return table
 
 
+def _error_cells(case: Case, run: str) -> list[str]:
+    error = case.error(run)
+    ratios = [error.rms / case.error(base).rms for base in (PLAIN, BALANCED)]
+    return [
+        f"{error.rms:.5f}",
+        *(f"{ratio:.3f}" for ratio in ratios),
+        f"{error.mean:.5f}",
+        f"{error.max:.3f}",
+        f"{error.rms_salient:.5f}",
+        f"{error.normal_deviation:.2f}",
+        f"{case.curvature[run]:.3f}",
+    ]
+
+
 def shown_tables(done: Sequence[Case]) -> list[tables.Table]:
-    original, simplified = "original's", "simplification's"
     title = "% of the {} vertices with a low error"
     return [
-        share_table(title.format(original), done, "of_original"),
-        share_table(title.format(simplified), done, "of_simplified"),
+        poster_table(done),
+        share_table(title.format("original's"), done, "at_original"),
+        share_table(title.format("simplification's"), done, "at_simplified"),
         error_table(done),
     ]
 
 
-def draw(done: Sequence[Case], path: Path) -> None:
-    """As the poster: both results side by side, coloured by error, with the histograms."""
-    rows = []
-    for case in done:
-        shown = [
-            Shown(
-                run.result.outcome.vertices,
-                run.result.outcome.faces,
-                run.fidelity.of_simplified,
-                run.fidelity.of_original,
-                f"{case.subject.model.name}, {len(run.result.outcome.faces):,} faces: {name}",
-                f"RMS {run.result.figures.rms:.4f} % of the diagonal",
-            )
-            for name, run in case.runs.items()
-            if name in (OURS, PLAIN)
-        ]
-        rows.append((case.subject.view, shown[::-1]))
-    draw_errors(path, rows)
+def times(plugin: Path) -> list[tables.Table]:
+    """Ratios to Balanced."""
+    runs = contenders(plugin)
+    table = tables.table("Time over that of Balanced", ("model", *(run.name for run in runs)))
+    for subject in subjects():
+        model = subject.model
+        outcomes = race(model.path, subject.target, runs, REPEATS)
+        seconds = {run.name: each.seconds for run, each in zip(runs, outcomes, strict=True)}
+        ratios = (each / seconds[BALANCED] for each in seconds.values())
+        table.add_row(model.case_name(subject.target), *(f"{ratio:.2f}" for ratio in ratios))
+    return [table]
 
 
-def main() -> int:
-    """Prints every table; the exit code is the verdict."""
-    options = paper_options(__doc__)
-    console = tables.console()
-    try:
-        done = [run_case(options.plugin, subject) for subject in subjects()]
-    except FilterError as failure:
-        console.print(f"failed: {failure}", markup=False)
-        return 1
-    shown = shown_tables(done)
-    for each in shown:
-        console.print(each)
-    if options.save:
-        path = REPOSITORY / "bench/results/michaud.md"
-        tables.save_markdown(path, "Michaud, Mellado and Paulin 2017", [__doc__], shown)
-        draw(done, REPOSITORY / "docs/images/michaud.png")
-    return 0 if all(case.holds() for case in done) else 1
+# --- the picture ----------------------------------------------------------------------------------
+
+
+def picture(plugin: Path, done: Sequence[Case]) -> PictureRows:
+    """The poster's two pictures with histograms: results side by side, coloured by error."""
+    shown = [case for case in done if case.subject.printed == HISTOGRAM]
+    return [(case.subject.view, _row(plugin, case)) for case in shown]
+
+
+def _row(plugin: Path, case: Case) -> list[Shown]:
+    model = case.subject.model
+    meter, row = meter_of(plugin, model), [as_input(model.vertices, model.faces, model.name)]
+    titles = {POSTER: "the poster's metric, as printed", PLAIN: "quadrics", OURS: "our default"}
+    for run, title in titles.items():
+        outcome = case.runs[run].outcome
+        row.append(with_errors(meter, outcome.vertices, outcome.faces, title))
+    return row
+
+
+def study(plugin: Path) -> Study:
+    done = [run_case(plugin, subject) for subject in subjects()]
+    holds = all(case.holds() for case in done)
+    return Study(shown_tables(done), holds, lambda: picture(plugin, done))
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(Script(__file__, __doc__, "Michaud, Mellado and Paulin 2017", study, times).main())

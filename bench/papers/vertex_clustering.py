@@ -1,18 +1,20 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Ciolczyk and Janczykowski's slides on vertex clustering, their table next to what ours gives.
 
-    python bench/papers/vertex_clustering.py [--plugin FILE] [--save]
+    python bench/papers/vertex_clustering.py [--plugin FILE] [--save] [--times]
 
 The slides compare four representatives by the time that their Python takes on five meshes, and show
-what each makes of one; their cell is not said, here it is 4 % of the diagonal. Time is that of the
-filter alone, the least of five runs, each in a fresh process.
+what each makes of one. They print no error, and neither their cell nor the mesh that they show;
+here the cell is 4 % of the diagonal. Errors are those of our filter get_simplification_error, in %
+of the diagonal. With --times the table of times instead: the filter alone, the least of five runs,
+each in a fresh process.
 
 What differs from the slides: their meshes are not available. The cube and the sphere are made with
 as many vertices as theirs, or nearly; the horse of 2,831 vertices is ../shared/meshes' horse after
 our edge collapse; the stanford-bunny stands for their bunny and igea for the armadillo. Without
-../shared/meshes, PyMeshLab's bunny stands for all three.
+../shared/meshes, PyMeshLab's bunny stands for all three. Of their icosahedron they print nothing.
 
-The second table compares the representatives by error at equal face count, and ends the run with 1
+The last table compares the representatives by error at equal face count, and ends the run with 1
 where Quadric's RMS is not the lowest. Other programs' clusterings are in peers.md.
 """
 
@@ -29,14 +31,23 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "sample_meshes"))
 
 import numpy as np
 import tables
-from decimators import REPRESENTATIVES, apply, curvdecim, curvdecim_clustering, run_once
+from decimators import (
+    REPRESENTATIVES,
+    Outcome,
+    apply,
+    curvdecim,
+    curvdecim_clustering,
+    run_once,
+)
+from error_picture import as_input, with_errors
 from generate import cube, lattice
-from judge import Figures
-from meshes import REPOSITORY, shared_folder, shipped, write_mesh
+from layer_error import LayerError, Measured, measure, meter_of
+from meshes import shared_folder, shipped, write_mesh
 from models import Model
-from paper_options import paper_options
+from panels import View
+from paper_script import PictureRows, Script, Study
+from printed import NOT_PRINTED, Row, beside, instead
 from surface import Floats, Ints
-from workers import FilterError
 
 SEED = ("CellCenter", "Mean", "Median", "Quadric")
 CELL = 4.0  # per cent of the diagonal
@@ -55,15 +66,18 @@ SLIDES = {
 
 @dataclass(frozen=True)
 class Case:
-    """A model at a number of faces: figures by representative."""
+    """A model at a number of faces: what each representative makes of it."""
 
     model: Model
     target: int
-    figures: dict[str, Figures]
+    runs: dict[str, Measured]
+
+    def error(self, representative: str) -> LayerError:
+        return self.runs[representative].error
 
     def quadric_is_best(self) -> bool:
         """By RMS."""
-        return min(self.figures, key=lambda name: self.figures[name].rms) == "Quadric"
+        return min(self.runs, key=lambda name: self.error(name).rms) == "Quadric"
 
 
 # --- the slides' meshes ---------------------------------------------------------------------------
@@ -99,33 +113,14 @@ def slides_meshes(plugin: Path, folder: Path) -> dict[str, Path]:
     return files
 
 
-# --- tables ---------------------------------------------------------------------------------------
+# --- runs -----------------------------------------------------------------------------------------
 
 
-def seconds(plugin: Path, mesh: Path, representative: str) -> float:
-    """Of the fastest of some runs."""
+def clustered(plugin: Path, mesh: Path, representative: str) -> Outcome:
+    """By the cell of this comparison."""
     clustering = curvdecim_clustering(plugin, representative=representative)
     parameters = clustering.parameters | {"cellsize": {"percentage": CELL}}
-    what = f"{representative} on {mesh.name}"
-    return min(apply(mesh, clustering, parameters, what).seconds for _ in range(RUNS))
-
-
-def time_table(plugin: Path, files: dict[str, Path]) -> tables.Table:
-    """The slides' table: their seconds, our milliseconds, and how many times less that is."""
-    headings = ["mesh", "vertices, theirs", "ours"]
-    headings += [f"{name}, {what}" for name in SEED for what in ("s", "ms", "times less")]
-    table = tables.table("Time by the slides, and ours", headings)
-    for name, (vertices, theirs) in SLIDES.items():
-        row = [
-            f"{name} ({files[name].stem})",
-            f"{vertices:,}",
-            f"{len(Model(name, files[name]).vertices):,}",
-        ]
-        for representative, slide in zip(SEED, theirs, strict=True):
-            ours = seconds(plugin, files[name], representative)
-            row += [f"{slide:.3f}", f"{1000 * ours:.2f}", f"{slide / ours:,.0f}"]
-        table.add_row(*row)
-    return table
+    return apply(mesh, clustering, parameters, f"{representative} on {mesh.name}")
 
 
 def cases(plugin: Path) -> list[Case]:
@@ -141,42 +136,97 @@ def cases(plugin: Path) -> list[Case]:
     for model in (Model(path.stem, path) for path in files):
         for fraction in FRACTIONS:
             target = round(fraction * len(model.faces))
-            results = model.run(target, contenders)
-            figures = [result.figures for result in results]
-            done.append(Case(model, target, dict(zip(REPRESENTATIVES, figures, strict=True))))
+            done.append(Case(model, target, measure(plugin, model, target, contenders)))
     return done
 
 
-def error_table(done: Sequence[Case]) -> tables.Table:
-    """RMS of every representative."""
-    table = tables.table(
-        "Two-sided RMS at equal face count, % of the diagonal", ("mesh", *REPRESENTATIVES)
+# --- tables ---------------------------------------------------------------------------------------
+
+
+def slides_table(plugin: Path, files: dict[str, Path]) -> tables.Table:
+    """The errors that the slides do not print, on their meshes or what stands in for them."""
+    rows = [_slides_row(plugin, name, path) for name, path in files.items()]
+    rows.append(Row("icosahedron", (NOT_PRINTED, NOT_PRINTED), "left out"))
+    title = f"The slides' meshes, cell {CELL:g} % of the diagonal: {' / '.join(SEED)}"
+    return beside(title, ("vertices", "errors"), ("vertices", "faces left", "RMS", "max"), rows)
+
+
+def _slides_row(plugin: Path, name: str, path: Path) -> Row:
+    model = Model(path.stem, path)
+    meter = meter_of(plugin, model)
+    outcomes = [clustered(plugin, path, each) for each in SEED]
+    errors = [meter(each.vertices, each.faces) for each in outcomes]
+    ours = (
+        f"{len(model.vertices):,}",
+        " / ".join(f"{len(each.faces):,}" for each in outcomes),
+        " / ".join(f"{error.rms:.3f}" for error in errors),
+        " / ".join(f"{error.max:.2f}" for error in errors),
     )
+    return Row(name, (f"{SLIDES[name][0]:,}", NOT_PRINTED), instead(path.stem), ours)
+
+
+def error_table(done: Sequence[Case], what: str) -> tables.Table:
+    """what: the field of LayerError."""
+    names = {"rms": "RMS", "max": "maximum", "mean": "mean distance"}
+    title = f"Two-sided {names[what]} at equal face count, % of the diagonal"
+    table = tables.table(title, ("mesh", *REPRESENTATIVES))
     for case in done:
-        name = case.model.case_name(case.target)
-        table.add_row(name, *(f"{case.figures[each].rms:.4f}" for each in REPRESENTATIVES))
+        errors = (getattr(case.error(each), what) for each in REPRESENTATIVES)
+        table.add_row(case.model.case_name(case.target), *(f"{error:.4f}" for error in errors))
     return table
 
 
-def main() -> int:
-    """Prints both tables; the exit code is the verdict."""
-    options = paper_options(__doc__)
-    console = tables.console()
-    try:
-        with tempfile.TemporaryDirectory() as folder:
-            times = time_table(options.plugin, slides_meshes(options.plugin, Path(folder)))
-        done = cases(options.plugin)
-    except FilterError as failure:
-        console.print(f"failed: {failure}", markup=False)
-        return 1
-    shown = [times, error_table(done)]
-    for each in shown:
-        console.print(each)
-    if options.save:
-        path = REPOSITORY / "bench/results/vertex_clustering.md"
-        tables.save_markdown(path, "Ciolczyk and Janczykowski, slides", [__doc__], shown)
-    return 0 if all(case.quadric_is_best() for case in done) else 1
+def time_table(plugin: Path, files: dict[str, Path]) -> tables.Table:
+    """The slides' table: their seconds, our milliseconds, and how many times less that is."""
+    headings = ["mesh", "vertices, theirs", "ours"]
+    headings += [f"{name}, {what}" for name in SEED for what in ("s", "ms", "times less")]
+    table = tables.table("Time by the slides, and ours", headings)
+    for name, (vertices, theirs) in SLIDES.items():
+        ours = f"{len(Model(name, files[name]).vertices):,}"
+        row = [f"{name} ({files[name].stem})", f"{vertices:,}", ours]
+        for representative, slide in zip(SEED, theirs, strict=True):
+            runs = (clustered(plugin, files[name], representative) for _ in range(RUNS))
+            least = min(run.seconds for run in runs)
+            row += [f"{slide:.3f}", f"{1000 * least:.2f}", f"{slide / least:,.0f}"]
+        table.add_row(*row)
+    return table
+
+
+# --- the picture ----------------------------------------------------------------------------------
+
+TITLES = {
+    "CellCenter": "cell centre",
+    "Mean": "mean",
+    "Median": "median",
+    "Quadric": "quadric, our default",
+}
+
+
+def picture(plugin: Path) -> PictureRows:
+    """The slides' page of four representatives, on a mesh of ours."""
+    model = Model("bunny", shipped("bunny.obj"))
+    meter, row = meter_of(plugin, model), [as_input(model.vertices, model.faces, model.name)]
+    for representative, title in TITLES.items():
+        outcome = clustered(plugin, model.path, representative)
+        row.append(with_errors(meter, outcome.vertices, outcome.faces, title))
+    return [(View((0.1, 0.15, 1.0)), row)]
+
+
+# --- the script -----------------------------------------------------------------------------------
+
+
+def study(plugin: Path) -> Study:
+    with tempfile.TemporaryDirectory() as folder:
+        on_slides = slides_table(plugin, slides_meshes(plugin, Path(folder)))
+    done = cases(plugin)
+    shown = [on_slides, *(error_table(done, what) for what in ("rms", "max", "mean"))]
+    return Study(shown, all(case.quadric_is_best() for case in done), lambda: picture(plugin))
+
+
+def times(plugin: Path) -> list[tables.Table]:
+    with tempfile.TemporaryDirectory() as folder:
+        return [time_table(plugin, slides_meshes(plugin, Path(folder)))]
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(Script(__file__, __doc__, "Ciolczyk and Janczykowski, slides", study, times).main())
