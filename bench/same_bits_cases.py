@@ -134,6 +134,8 @@ CASES = (
     *_edges(preservetopology=False, preset=_PRESETS, targetperc=0.05),
     *_edges(joinborders=_SWITCH, preservetopology=_SWITCH),
     *_edges(attributeweight=(0.0, 1.0)),
+    *_edges(targetperc=0.0, targetfacenum=0, maxerror=_percent(0.5), preset=_PRESETS),
+    *_edges(maxerror=_percent(0.5), maxerroronesided=True, targetfacenum=0, targetperc=0.0),
     *_edges(preventintersections=True, preset=_PRESETS),
     *_edges(preventintersections=True, targetfacenum=0, targetperc=0.0, maxerror=_percent(0.5)),
     *_edges(pairdistance=_percent(0.5), preset=("Balanced", "Best")),
@@ -166,6 +168,7 @@ CASES = (
     *_clusters(PAINTED, representative="WeightedMean", meanweight=("Area", "Curvature", "Quality")),
     *_clusters(cellsize=(_percent(0.0), _percent(3.0))),  # 0: refused
     *_clusters(targetfacenum=300, manifoldedges=_SWITCH),
+    *_clusters(maxerror=_percent(0.5), cellsize=(_percent(0.0), _percent(3.0))),
     *_clusters(cellsize=_percent(3.0), manifoldedges=True),
     *_clusters(boundaryweight=(0.0, 10.0)),
     *_clusters(selected=True),  # refused: no face is selected
