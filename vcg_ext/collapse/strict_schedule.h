@@ -200,9 +200,9 @@ class StrictSchedule {
   /// An edge that was queued with a price was asked about before. It is asked again though its hub
   /// may rest: turned away unseen it would be queued with its price forever.
   GuardAnswer ask(Edge edge, const Candidate& candidate) {
-    const Priority most = std::max(queue_.top_priority(), queue_.second_priority());
-    return queue_.top_has_price() ? collapses_.ask(edge, candidate, most, scratch_)
-                                  : rests_.ask(edge, candidate, most, scratch_);
+    const Priority any;  // one that is too dear by now may be refused: the tally has the reason
+    return queue_.top_has_price() ? collapses_.ask(edge, candidate, any, scratch_)
+                                  : rests_.ask(edge, candidate, any, scratch_);
   }
 
   /// The bound is asked last, and only where the collapse would be done.
