@@ -141,7 +141,8 @@ TEST(EdgeFlips, LowerTheErrorOfAMeshWithWrongDiagonals) {
   const MoveGuard guard(mesh, surface, input_tree, FaceLimits());
   const TextureDrift no_texture(mesh, surface, 0.0);
   const double before = error(mesh, surface);
-  EXPECT_GT(EdgeFlips(mesh, of_input, of_mesh, guard, no_texture).run(near, one_thread), 0);
+  EXPECT_GT(EdgeFlips(mesh, of_input, of_mesh, guard, no_texture, nullptr).run(near, one_thread),
+            0);
   EXPECT_NO_THROW(mesh.connectivity.validate());
   EXPECT_LT(error(mesh, surface), before);
 }

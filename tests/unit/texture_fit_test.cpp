@@ -46,7 +46,7 @@ class FlatTexture {
     mesh.texture_scale2 = 1.0;
     const MoveGuard guard(mesh, input_, input_tree_, FaceLimits());
     const TextureDrift drift(mesh, input_, attribute_weight);
-    return EdgeFlips(mesh, of_input_, of_mesh_, guard, drift).run(near_, one_thread);
+    return EdgeFlips(mesh, of_input_, of_mesh_, guard, drift, nullptr).run(near_, one_thread);
   }
 
   template <class GiveTexture>
