@@ -56,7 +56,7 @@ TEST(Hub, OnTheBorderIsDecimated) { expect_sound(polygon_fan(20000), to_faces(10
 /// Edges whose cost had fallen were asked about while their hub rested. A question takes the hub's
 /// faces, and more where there is a bound.
 TEST(Hub, RestsWhereCostsFall) {
-  constexpr int sides = 10000, few = 1000;
+  constexpr int sides = 20000, few = 1000;
   EdgeCollapseParams params = to_faces(100);  // the bound ends it
   params.max_error = 0.05;
   const DecimationReport report = decimated(rough_cone(sides), params).report;
